@@ -8,18 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "exchange/file_read.h"
 #include "file/sink.h"
 #include "muslin/exchange.h"
 
 #define SVG_GAP 30.0   /* [mm] between panels; chosen: room for a name */
 #define SVG_NOTCH 4.0  /* [mm] length of the line of a notch */
+#define SVG_SIDES 16   /* straight sides of an edge, to place a name; chosen: as many as a curve needs to the eye */
+#define SVG_CROSSINGS 64 /* most crossings of an outline at one height; chosen: a pleated skirt has 30 */
 #define SVG_ROW 3000.0 /* [mm] a row of panels is begun anew beyond this width; chosen: a table */
 
 typedef struct svg_writer {
     mus__sink *sink;
     const mus_pattern *pattern;
     double *origins; /* (panels x 2) [mm] on the sheet, y down */
+    double *reach;   /* (panels x 2) [m] lowest and highest y of each panel, in its plane */
     double width, height;
 } svg_writer;
 
@@ -124,6 +128,8 @@ static mus_status place_panels(svg_writer *w)
         }
         w->origins[2 * p] = x - low[0];
         w->origins[2 * p + 1] = y + high[1];
+        w->reach[2 * p] = 1e-3 * low[1];
+        w->reach[2 * p + 1] = 1e-3 * high[1];
         x += high[0] - low[0] + SVG_GAP;
         row = fmax(row, high[1] - low[1]);
         w->width = fmax(w->width, x);
@@ -165,18 +171,75 @@ static mus_status put_word(svg_writer *w, int32_t panel)
 }
 
 
-static mus_status put_inside(svg_writer *w, int32_t panel)
+static int by_place(const void *a, const void *b)
 {
-    double grain[2];
-    mus_status status = mus_pattern_grain(w->pattern, panel, grain);
-    if (status == MUS_OK) {
-        const double from[2] = {-0.05 * grain[0], -0.05 * grain[1]}, to[2] = {0.05 * grain[0], 0.05 * grain[1]};
-        mus__sink_print(w->sink, "<path class=\"grain\" d=\"M");
-        put_point(w->sink, from);
-        mus__sink_print(w->sink, " L");
-        put_point(w->sink, to);
-        mus__sink_print(w->sink, "\"/>\n");
+    const double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+
+/* the places (SVG_CROSSINGS) [m] where the outline crosses the height y [m], from left to right; their number */
+static int32_t cross_outline(const mus_pattern *pattern, int32_t n, const int32_t *edges, double y, double *out)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < n; i++) {
+        double last[2] = {0.0, 0.0}, p[2];
+        for (int32_t k = 0; k <= SVG_SIDES; k++) {
+            const double t = (double)k / SVG_SIDES;
+            if (mus_pattern_edge_at(pattern, edges[i], 1, &t, p) != MUS_OK) return 0;
+            if (k > 0 && count < SVG_CROSSINGS && (last[1] < y) != (p[1] < y))
+                out[count++] = last[0] + (p[0] - last[0]) * (y - last[1]) / (p[1] - last[1]);
+            memcpy(last, p, sizeof last);
+        }
     }
+    mus__sort(out, (size_t)count, sizeof *out, by_place);
+    return count;
+}
+
+
+/* a place (2) [m] inside a panel, in its plane: the middle of its widest part at half its height */
+static mus_status find_place(const svg_writer *w, int32_t panel, double *out)
+{
+    const int32_t *edges;
+    int32_t n = 0;
+    const double y = 0.5 * (w->reach[2 * panel] + w->reach[2 * panel + 1]);
+    double cross[SVG_CROSSINGS] = {0.0}, widest = -1.0;
+    mus_status status = mus_pattern_outline(w->pattern, panel, &n, &edges, NULL);
+    const int32_t count = status == MUS_OK ? cross_outline(w->pattern, n, edges, y, cross) : 0;
+    out[0] = 0.0, out[1] = y;
+    for (int32_t i = 0; i + 1 < count; i += 2) {
+        if (cross[i + 1] - cross[i] <= widest) continue;
+        widest = cross[i + 1] - cross[i];
+        out[0] = 0.5 * (cross[i] + cross[i + 1]);
+    }
+    return status;
+}
+
+
+/* the name and, through the same place, the grain: 100 mm, or half the height of a low panel */
+static mus_status put_name(svg_writer *w, int32_t panel)
+{
+    double at[2], grain[2];
+    mus_status status = find_place(w, panel, at);
+    if (status == MUS_OK) status = mus_pattern_grain(w->pattern, panel, grain);
+    if (status != MUS_OK) return status;
+    const double half = fmin(0.05, fmax(1e-3, 0.25 * (w->reach[2 * panel + 1] - w->reach[2 * panel])));
+    const double from[2] = {at[0] - half * grain[0], at[1] - half * grain[1]};
+    const double to[2] = {at[0] + half * grain[0], at[1] + half * grain[1]};
+    mus__sink_print(w->sink, "<path class=\"grain\" d=\"M");
+    put_point(w->sink, from);
+    mus__sink_print(w->sink, " L");
+    put_point(w->sink, to);
+    mus__sink_print(w->sink, "\"/>\n<text class=\"name\" x=\"%.2f\" y=\"%.2f\">", 1e3 * at[0], 0.0 - 1e3 * at[1]);
+    put_escaped(w->sink, mus_pattern_panel_name(w->pattern, panel));
+    mus__sink_print(w->sink, "</text>\n");
+    return status;
+}
+
+
+static mus_status put_marks(svg_writer *w, int32_t panel)
+{
+    mus_status status = MUS_OK;
     for (int32_t i = 0; i < mus_pattern_mark_count(w->pattern) && status == MUS_OK; i++) {
         int32_t own, n;
         const char *name;
@@ -231,11 +294,10 @@ static mus_status put_panel(svg_writer *w, int32_t panel)
     mus__sink_print(w->sink, " transform=\"translate(%.3f,%.3f)\">\n", w->origins[2 * panel],
                     w->origins[2 * panel + 1]);
     put_edges(w, panel);
-    if (status == MUS_OK) status = put_inside(w, panel);
+    if (status == MUS_OK) status = put_name(w, panel);
+    if (status == MUS_OK) status = put_marks(w, panel);
     if (status == MUS_OK) status = put_notches(w, panel);
-    mus__sink_print(w->sink, "<text class=\"name\">");
-    put_escaped(w->sink, name);
-    mus__sink_print(w->sink, "</text>\n</g>\n");
+    mus__sink_print(w->sink, "</g>\n");
     return status;
 }
 
@@ -281,7 +343,7 @@ static mus_status put_document(svg_writer *w)
     put_text(w->sink, "data-name", mus_pattern_name(w->pattern));
     mus__sink_print(w->sink,
                     ">\n<style>path{fill:none;stroke:#000;stroke-width:0.5} .seam{stroke:#c33;stroke-width:0.2} "
-                    ".grain,.mark{stroke:#36c} .name{font:12px sans-serif}</style>\n");
+                    ".grain,.mark{stroke:#36c} .name{font:12px sans-serif;text-anchor:middle}</style>\n");
     for (int32_t p = 0; p < mus_pattern_panel_count(w->pattern) && status == MUS_OK; p++) status = put_panel(w, p);
     if (status == MUS_OK) status = put_seams(w);
     mus__sink_print(w->sink, "</svg>\n");
@@ -300,8 +362,9 @@ static mus_status svg_write(const mus_pattern *pattern, const mus__target *targe
     if (status != MUS_OK) return status;
     mus__sink_init(&sink, context);
     svg_writer w = {.sink = &sink, .pattern = pattern};
-    w.origins =
-        mus_context_alloc(context, NULL, sizeof *w.origins * 2 * (size_t)(mus_pattern_panel_count(pattern) + 1));
+    const size_t npanel = (size_t)mus_pattern_panel_count(pattern) + 1;
+    w.origins = mus_context_alloc(context, NULL, 4 * npanel * sizeof *w.origins);
+    w.reach = w.origins != NULL ? w.origins + 2 * npanel : NULL;
     status = w.origins != NULL ? put_document(&w) : mus__file_fail(context, MUS_ERR_MEMORY, "no memory for a drawing");
     if (status == MUS_OK) status = mus__sink_give(&sink, target);
     mus_context_alloc(context, w.origins, 0);

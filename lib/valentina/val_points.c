@@ -10,6 +10,8 @@
 #include "base/elementary.h"
 #include "valentina/val_draw.h"
 
+#define POINTS_PIXEL (25.4 / 96.0) /* [mm] the unit in which Valentina draws */
+#define POINTS_STEPS 4000 /* most steps of a search for a place; chosen: a grazing circle of 100 m takes as many */
 #define POINTS_NEAR 1e-6 /* [mm] places that are one; chosen: far below what a formula rounds */
 
 
@@ -124,6 +126,42 @@ static bool points_on_line(mus__val_job *job, int32_t e, const char *type, doubl
 }
 
 
+/*
+ * The apex of a right angle over the points p[2] and p[3], beyond their line in the direction of the axis from p[0] to
+ * p[1]; false when the two lines are parallel. Valentina does not compute the place, it searches: from the place where
+ * the lines cross in steps of a pixel of 1/96 inch, from the second on, to the first place at which the legs a and b
+ * and the hypotenuse c, each cut to whole pixels, have a a + b b >= c c. This is up to a pixel from the right angle,
+ * and drawings have the place that was found. Places where a and b are too short even uncut are passed over.
+ */
+static bool points_right_angle(double (*p)[2], double *out)
+{
+    const double c = points_distance(p[2], p[3]) / POINTS_PIXEL, axis = points_distance(p[0], p[1]);
+    double start[2], middle[2], behind[2], u[2], places[4];
+    if (!points_lines(p[0], p[1], p[2], p[3], start)) return false;
+    for (int32_t k = 0; k < 2; k++) {
+        u[k] = POINTS_PIXEL * (p[1][k] - p[0][k]) / axis;
+        behind[k] = start[k] + u[k];
+        middle[k] = 0.5 * (p[2][k] + p[3][k]);
+    }
+    /* a a + b b = 2 r r + c c / 2 at the distance r from the middle of the hypotenuse */
+    const double least = 0.5 * c * c - 2.0 * c, radius = POINTS_PIXEL * sqrt(0.5 * fmax(least, 0.0));
+    const int32_t n = mus__val_circle_line(middle, radius, start, behind, places);
+    double step = 2.0;
+    if (n > 0) {
+        const double *x = places + 2 * (n - 1);
+        const double ahead = ((x[0] - start[0]) * u[0] + (x[1] - start[1]) * u[1]) / (POINTS_PIXEL * POINTS_PIXEL);
+        step = fmax(step, floor(ahead));
+    }
+    for (int32_t i = 0; i < POINTS_STEPS; i++, step += 1.0) {
+        for (int32_t k = 0; k < 2; k++) out[k] = start[k] + step * u[k];
+        const double a = floor(points_distance(out, p[2]) / POINTS_PIXEL);
+        const double b = floor(points_distance(out, p[3]) / POINTS_PIXEL);
+        if (floor(c) * floor(c) <= a * a + b * b) return true;
+    }
+    return false;
+}
+
+
 /* tools that cross lines */
 static bool points_crossed(mus__val_job *job, int32_t e, const char *type, double *out, mus_status *status)
 {
@@ -149,12 +187,8 @@ static bool points_crossed(mus__val_job *job, int32_t e, const char *type, doubl
         memcpy(out, n == 0 ? p[1] : places + 2 * (n - 1), 2 * sizeof *out);
         if (points_distance(p[2], p[1]) > length) memcpy(out, p[1], 2 * sizeof *out);
     } else if (strcmp(type, "triangle") == 0) {
-        /* the right angle over two points, the farther place along the axis */
-        if (!points_take(job, e, 4, triangle, p, status)) return true;
-        const double middle[2] = {0.5 * (p[2][0] + p[3][0]), 0.5 * (p[2][1] + p[3][1])};
-        const int32_t n = mus__val_circle_line(middle, points_distance(middle, p[2]), p[0], p[1], places);
-        if (n == 0) points_none(job, e, "no right angle on its axis", out);
-        else memcpy(out, places + 2 * (n - 1), 2 * sizeof *out);
+        if (points_take(job, e, 4, triangle, p, status) && !points_right_angle(p, out))
+            points_none(job, e, "no right angle on its axis", out);
     } else {
         return false;
     }

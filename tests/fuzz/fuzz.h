@@ -16,6 +16,8 @@
 #define FUZZ_TARGETS(X)                                                                                                \
     X(pattern, "a pattern file of any form: read, written, read back, checked, its form")                              \
     X(dxf, "a DXF file, behind its line EOF a RUL file: read in two sizes, its seams proposed")                        \
+    X(svg, "an SVG drawing: read, written, read back")                                                                 \
+    X(val, "a drawing of Valentina, behind its line </pattern> measurements: read without and with them")              \
     X(tape, "a form of tape, and a tape file: read, completed, written, read back")                                    \
     X(fabric, "a fabric file: read, saved, read back")                                                                 \
     X(scan, "an OBJ file: read, and made a body")                                                                      \

@@ -80,6 +80,55 @@ void fuzz_dxf(const uint8_t *bytes, size_t size)
 }
 
 
+void fuzz_svg(const uint8_t *bytes, size_t size)
+{
+    mus_context *context = fuzz_context();
+    mus_pattern *pattern = NULL, *again = NULL;
+    if (mus_pattern_read_from(context, (const char *)bytes, size, "fuzz.svg", &pattern) == MUS_OK) {
+        char *text = NULL;
+        size_t length = 0;
+        fuzz_must(mus_pattern_write_svg_bytes(pattern, &text, &length) == MUS_OK, "a drawing that was read is written");
+        fuzz_must(mus_pattern_read_from(context, text, length, "again.svg", &again) == MUS_OK,
+                  "a drawing that was written is read");
+        fuzz_must(mus_pattern_panel_count(again) == mus_pattern_panel_count(pattern) &&
+                      mus_pattern_edge_count(again) == mus_pattern_edge_count(pattern) &&
+                      mus_pattern_seam_count(again) == mus_pattern_seam_count(pattern),
+                  "a drawing comes back with its panels, edges and seams");
+        mus_context_alloc(context, text, 0);
+    }
+    mus_pattern_destroy(again);
+    mus_pattern_destroy(pattern);
+    fuzz_context_end(context);
+}
+
+
+void fuzz_val(const uint8_t *bytes, size_t size)
+{
+    static const char last[] = "</pattern>\n";
+    const size_t length = sizeof last - 1;
+    mus_context *context = fuzz_context();
+    mus_pattern_val from;
+    size_t end = length;
+    while (end < size && memcmp(bytes + end - length, last, length) != 0) end++;
+    if (end > size) end = size;
+    mus_pattern_val_init(&from, sizeof from);
+    from.path = "fuzz.val";
+    from.text = (const char *)bytes;
+    from.text_size = end;
+    for (int32_t i = 0; i < 2; i++) {
+        mus_pattern *pattern = NULL;
+        const mus_status status = mus_pattern_read_val(context, &from, &pattern);
+        fuzz_must((status == MUS_OK) == (pattern != NULL), "a drawing gives a pattern exactly with MUS_OK");
+        fuzz_must(status == MUS_OK || mus_context_error(context)[0] != '\0', "a refusal of a drawing has a sentence");
+        mus_pattern_destroy(pattern);
+        from.measures_path = "fuzz.vit";
+        from.measures = (const char *)bytes + end;
+        from.measures_size = size - end;
+    }
+    fuzz_context_end(context);
+}
+
+
 void fuzz_tape(const uint8_t *bytes, size_t size)
 {
     static const char *const forms[] = {"me.tape", "me.csv", "me.yaml", "me.vit"};

@@ -9,7 +9,8 @@
 #include "print/sample_patterns.h"
 #include "support.h"
 
-/* a skirt panel with a dart in its waist and a last edge of 0.4 mm, and a strip with a slit of sides at 19 degrees */
+/* a skirt panel with a dart in its waist and a last edge of 0.4 mm, and a strip with a slit that
+ * its allowances fill but for its mouth */
 static mus_pattern *panels(mus_context *context)
 {
     static const sample_step skirt[] = {
@@ -19,8 +20,8 @@ static mus_pattern *panels(mus_context *context)
         {0.09, 0.3, MUS_PIECE_LINE, {0}, "waist", NAN}, {3e-4, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN}};
     static const sample_step strip[] = {
         {0, 0, MUS_PIECE_LINE, {0}, "hem", 0.025},   {0.1, 0, MUS_PIECE_LINE, {0}, NULL, NAN},
-        {0.1, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN},  {0.06, 0.3, MUS_PIECE_LINE, {0}, "neck", 0.007},
-        {0.05, 0.24, MUS_PIECE_LINE, {0}, "neck", 0.007}, {0.04, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN},
+        {0.1, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN},  {0.058, 0.3, MUS_PIECE_LINE, {0}, "neck", 0.007},
+        {0.05, 0.1, MUS_PIECE_LINE, {0}, "neck", 0.007}, {0.042, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN},
         {0, 0.3, MUS_PIECE_LINE, {0}, NULL, NAN}};
     mus_pattern *pattern;
     mus_seam_def seam;

@@ -100,6 +100,24 @@ START_TEST(a_design_comes_back)
 END_TEST
 
 
+START_TEST(a_name_stands_in_the_middle_of_its_panel)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    char *bytes;
+    size_t size;
+    ck_assert_int_eq(read_text(context, drawn, &pattern), MUS_OK);
+    ck_assert_int_eq(mus_pattern_write_svg_bytes(pattern, &bytes, &size), MUS_OK);
+    /* 30 cm wide, 45 cm high with the controls of its curve; 30 by 40 cm */
+    ck_assert_ptr_nonnull(strstr(bytes, "x=\"150.00\" y=\"225.00\">front</text>"));
+    ck_assert_ptr_nonnull(strstr(bytes, "x=\"650.00\" y=\"200.00\">back</text>"));
+    mus_context_alloc(context, bytes, 0);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_fault_is_told_with_its_line)
 {
     static const struct {
@@ -164,6 +182,7 @@ Suite *mus_suite_svg_read(void)
     TCase *tests = tcase_create("svg_read");
     tcase_add_test(tests, panels_drawn_by_hand_are_read);
     tcase_add_test(tests, a_design_comes_back);
+    tcase_add_test(tests, a_name_stands_in_the_middle_of_its_panel);
     tcase_add_test(tests, a_fault_is_told_with_its_line);
     tcase_add_test(tests, no_memory_is_a_status);
     suite_add_tcase(suite, tests);

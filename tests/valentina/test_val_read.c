@@ -148,6 +148,32 @@ START_TEST(a_multisize_table_has_its_sizes)
 END_TEST
 
 
+START_TEST(a_right_angle_is_where_valentina_finds_it)
+{
+    const char text[] =
+        "<pattern><unit>mm</unit><draw name=\"d\"><calculation>"
+        "<point type=\"single\" id=\"1\" name=\"A\" x=\"0\" y=\"0\"/>"
+        "<point type=\"endLine\" id=\"2\" name=\"B\" basePoint=\"1\" angle=\"0\" length=\"200\"/>"
+        "<point type=\"endLine\" id=\"3\" name=\"C\" basePoint=\"1\" angle=\"0\" length=\"50\"/>"
+        "<point type=\"endLine\" id=\"4\" name=\"D\" basePoint=\"3\" angle=\"90\" length=\"10\"/>"
+        "<point type=\"triangle\" id=\"5\" name=\"T\" axisP1=\"3\" axisP2=\"4\" firstPoint=\"1\" "
+        "secondPoint=\"2\"/>"
+        "</calculation><modeling><point type=\"modeling\" id=\"6\" idObject=\"1\"/>"
+        "<point type=\"modeling\" id=\"7\" idObject=\"2\"/><point type=\"modeling\" id=\"8\" idObject=\"5\"/>"
+        "</modeling><details><detail id=\"9\" name=\"p\"><nodes><node type=\"NodePoint\" idObject=\"6\"/>"
+        "<node type=\"NodePoint\" idObject=\"7\"/><node type=\"NodePoint\" idObject=\"8\"/></nodes></detail></details>"
+        "</draw></pattern>";
+    mus_context *context = support_context();
+    mus_pattern *pattern = NULL;
+    ck_assert_msg(read_text(context, text, NULL, &pattern) == MUS_OK, "%s", mus_context_error(context));
+    /* the right angle is 86.60 mm high, 327.3 pixels; cut to whole pixels the sides are 755, 378 and 654 at 328 */
+    ck_assert_double_eq_tol(1e6 * mus_pattern_panel_area(pattern, 0), 100.0 * 328.0 * 25.4 / 96.0, 1e-6);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_val_read(void);
 
 Suite *mus_suite_val_read(void)
@@ -157,6 +183,7 @@ Suite *mus_suite_val_read(void)
     tcase_add_test(tests, a_piece_is_a_panel_with_its_curve_cut_at_the_point);
     tcase_add_test(tests, what_is_wrong_is_told_with_line_and_formula);
     tcase_add_test(tests, a_multisize_table_has_its_sizes);
+    tcase_add_test(tests, a_right_angle_is_where_valentina_finds_it);
     suite_add_tcase(suite, tests);
     return suite;
 }

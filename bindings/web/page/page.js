@@ -15,7 +15,8 @@ const SLIDERS = {
 };
 const COARSE = 0.02,
     FINE = 0.01,
-    PAUSE = 350, // spacing [m], and wait for the hand to rest [ms]
+    PAUSE = 250, // spacing [m]; time at rest before the fine drape begins [ms], chosen: longer than between two keys
+    DRAWN = 4, // a coarse drape on its way to rest is shown again after this many frames' time: drawing takes a fifth
     LISTED = 200; // designs in the list at most
 const start = {
     design: "tshirt",
@@ -60,8 +61,7 @@ const send = (to, message) => module.then(() => to.postMessage(message));
 
 const asked = new Map(); // when each wish was sent
 let finishing = 0, // the wish that the fine worker is at
-    resting = 0, // the one that the coarse worker is at
-    later = false; // whether the fine worker waits for the coarse one
+    resting = 0; // the one that the coarse worker is at
 function wish(to, fine) {
     asked.set(++id, performance.now());
     if (fine) finishing = id;
@@ -70,6 +70,7 @@ function wish(to, fine) {
         call: "dress",
         id,
         fine,
+        pause: DRAWN * view.frame,
         design: state.design,
         fabric: state.fabric,
         pose: state.pose,
@@ -81,20 +82,23 @@ function wish(to, fine) {
 
 function change(part = {}) {
     state = { ...state, ...part };
-    // the fine worker is no longer asked, and would take the coarse one's time; it starts anew
+    // a fine worker that is busy is no longer asked, and would take the coarse one's time; a new one starts at rest
     if (finishing) {
         fine.terminate();
-        fine = worker();
+        fine = null;
         finishing = 0;
     }
-    wish(coarse, false);
-    later = false;
     clearTimeout(pause);
+    wish(coarse, false);
+}
+
+// The coarse drape is at rest. When the hand is too: the fine drape, and the address (10 ms in browsers)
+function settled() {
+    resting = 0;
     pause = setTimeout(() => {
-        // browsers take 10 ms for a new address
+        fine ??= worker();
+        wish(fine, true);
         history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
-        if (resting) later = true;
-        else wish(fine, true);
     }, PAUSE);
 }
 
@@ -104,11 +108,7 @@ function answer(data) {
     if (data.kind === "found") return data.id === searched && showDesigns(data.found.map((i) => told.designs[i]));
     if (data.kind === "sketch") return draw(data);
     if (data.id === finishing && (data.rest || data.kind === "failed")) finishing = 0;
-    if (data.id === resting && (data.rest || data.kind === "failed")) {
-        resting = 0;
-        if (later) wish(fine, true);
-        later = false;
-    }
+    if (data.id === resting && (data.rest || data.kind === "failed")) settled();
     if (data.kind === "progress")
         return say(`${tell(data.phase ? "settling" : "sewing")} ${Math.round(100 * data.share)} %`);
     if (data.kind === "failed") {
@@ -332,6 +332,6 @@ const coarse = worker((data) => {
     log.ready = true;
     change();
 });
-let fine = worker();
+let fine = null;
 const clerk = worker();
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js");

@@ -8,6 +8,7 @@ import {
     DoubleSide,
     DynamicDrawUsage,
     Mesh,
+    MeshLambertMaterial,
     MeshStandardMaterial,
     PerspectiveCamera,
     Scene,
@@ -36,10 +37,17 @@ function drawnBySoftware() {
     return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-// An attribute keeps its place on the graphics card as long as its length does
+const equal = (a, b) => {
+    let i = 0;
+    while (i < a.length && a[i] === b[i]) i++;
+    return i === a.length;
+};
+
+// An attribute keeps its place on the graphics card as long as its length does; what is there already is not sent anew
 function put(geometry, name, data, width) {
     const old = name === "index" ? geometry.index : geometry.getAttribute(name);
     if (old?.array.length === data.length) {
+        if (equal(old.array, data)) return;
         old.array.set(data);
         old.needsUpdate = true;
         return;
@@ -55,8 +63,9 @@ export class Dressed {
     constructor(canvas) {
         // edges are smoothed where that is cheap and seen: four samples a pixel double the time of the processor
         const antialias = devicePixelRatio < 2 && !drawnBySoftware();
-        this.renderer = new WebGLRenderer({ canvas, antialias, alpha: true, preserveDrawingBuffer: true });
+        this.renderer = new WebGLRenderer({ canvas, antialias, alpha: true });
         this.canvas = canvas;
+        this.frame = 0; // mean time that the last frames took to be drawn [ms]
         this.camera = new PerspectiveCamera(30, 1, 0.05, 30);
         this.camera.position.set(1.5, 1.2, 3.6);
         this.scene = new Scene();
@@ -64,7 +73,8 @@ export class Dressed {
         this.camera.add(lamp);
         lamp.position.set(0.6, 1, 1);
         this.scene.add(new AmbientLight(0xffffff, 1.1), this.camera);
-        const material = (options) => new MeshStandardMaterial({ roughness: 0.85, ...options });
+        // no highlights: muslin and skin have nearly none, and the pixels cost half of a standard material's
+        const material = (options) => new MeshLambertMaterial(options);
         this.body = new Mesh(new BufferGeometry(), material({ color: 0xcbb8a9 }));
         this.cloth = new Mesh(
             new BufferGeometry(),
@@ -111,7 +121,28 @@ export class Dressed {
 
     draw() {
         cancelAnimationFrame(this.waiting);
-        this.waiting = requestAnimationFrame(() => this.renderer.render(this.scene, this.camera));
+        this.waiting = requestAnimationFrame(() => {
+            this.renderer.render(this.scene, this.camera);
+            this.time();
+        });
+    }
+
+    // Measure how long the graphics card, or the processor in its place, is at the frame that was just given to it.
+    time() {
+        if (this.timing) return;
+        this.timing = true;
+        const gl = this.renderer.getContext(),
+            start = performance.now(),
+            fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        const look = () => {
+            if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return setTimeout(look, 1);
+            gl.deleteSync(fence);
+            const taken = performance.now() - start;
+            this.frame = this.frame ? (3 * this.frame + taken) / 4 : taken;
+            this.timing = false;
+        };
+        setTimeout(look, 1);
     }
 
     show(mesh, { positions, normals, triangles, rest }) {
@@ -147,6 +178,16 @@ export class Dressed {
     }
 
     async glb() {
-        return new Uint8Array(await new GLTFExporter().parseAsync([this.body, this.cloth], { binary: true }));
+        // glTF has no Lambert material
+        const meshes = [this.body, this.cloth].map((mesh) => {
+            const { color, side, vertexColors } = mesh.material,
+                twin = new Mesh(
+                    mesh.geometry,
+                    new MeshStandardMaterial({ color, side, vertexColors, roughness: 0.85, metalness: 0 }),
+                );
+            twin.name = mesh.name;
+            return twin;
+        });
+        return new Uint8Array(await new GLTFExporter().parseAsync(meshes, { binary: true }));
     }
 }

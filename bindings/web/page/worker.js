@@ -35,15 +35,20 @@ function tapeOf(person) {
     for (const [name, value] of Object.entries(person.measures)) room.measure(name, value);
 }
 
-// Settle in runs, between which the newest wish is looked for. STOPPED when there is one, else the status.
-async function settle(told) {
+// Settle in runs, between which the newest wish is looked for. A coarse drape is shown after a run when `pause` ms have
+// passed since it was shown last. STOPPED when there is a newer wish, else the status.
+async function settle(told, pause) {
+    let seen = performance.now();
     for (let budget = told.fine ? FINE_SLICE : SLICE; ; budget *= 2) {
         const end = performance.now() + budget;
         room.onProgress = () => (performance.now() > end ? 1 : 0);
         const status = room.settle();
         room.onProgress = null;
         if (status !== STOPPED) return status;
-        if (!told.fine) meshes({ ...told, rest: false }, false);
+        if (!told.fine && performance.now() - seen >= pause) {
+            meshes({ ...told, rest: false }, false);
+            seen = performance.now();
+        }
         await turn();
         if (wish !== null) return STOPPED;
     }
@@ -69,7 +74,7 @@ async function dress(asked) {
             if (wish !== null && skipped++ < SKIPS) return;
         }
         skipped = 0;
-        status = await settle(told);
+        status = await settle(told, asked.pause);
         if (status === STOPPED) return;
     } else {
         room.onProgress = (phase, share) => {

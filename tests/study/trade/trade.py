@@ -208,15 +208,15 @@ def audit(data):
 
 
 def round_trip(args):
-    count = good = audited = told = 0
+    count = good = audited = told = refused = 0
     worst = notch = 0.0
     losses = collections.Counter()
     for name, pattern in patterns(args.data, args.every):
         try:
             sheet = Sheet(pattern, paper="roll")
-        except muslin.MuslinError as refused:  # an outline that cannot be cut: the file is one that is not kept
-            print(f"{name}: {refused}")
-            count, losses["no file"] = count + 2, losses["no file"] + 2
+        except muslin.MuslinError as error:  # an outline that cannot be cut is told, and there is no file
+            print(f"  {name}: {error}")
+            refused += 1
             continue
         lines = collections.defaultdict(list)
         for piece, kind, edge, ops, points in sheet.lines:
@@ -236,7 +236,8 @@ def round_trip(args):
                 audited, told = audited + 1, told + errors
     for what, n in losses.most_common(12):
         print(f"  {n:5d} {what}")
-    print(f"round trip: {good} of {count} files keep all; outlines within {worst:.4f} mm, notches within {notch:.3f} mm")
+    print(f"round trip: {good} of {count} files keep all; outlines within {worst:.4f} mm, notches within {notch:.3f} mm; "
+          f"{refused} patterns are refused, with the sentence above")
     print(f"audit: {audited} files, {told} errors and fixes" if audited else "audit: skipped, no ezdxf (pip install ezdxf)")
     return good == count and told == 0
 
@@ -284,7 +285,7 @@ def ring(pattern, panel, chords):
 
 def away(corners, line):
     """How far the corners of an outline lie from a line [mm], once it is moved to where it fits best; and how far the
-    line then lies from the outline."""
+    line then lies from the outline; and the move."""
     kept, shift, best = 0.0, (line.min(0) + line.max(0) - corners.min(0) - corners.max(0)) / 2, math.inf
     for _ in range(8):
         a, d = line[:-1], line[1:] - line[:-1]
@@ -295,7 +296,32 @@ def away(corners, line):
         if (worst := float(np.hypot(*near.T).max())) < best:
             best, kept = worst, shift
         shift = shift + (near.max(0) + near.min(0)) / 2
-    return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1]))))
+    return best, float(distance(line[::4] - kept, np.concatenate((corners, corners[:1])))), kept
+
+
+def widths(pattern, panel):
+    return [pattern.edge_allowance(edge) or 0.0 for edge, _ in pattern.outline(panel)]
+
+
+def strays(theirs, ours):
+    """How far each stretch of our outline that theirs has not goes away from theirs [mm]."""
+    line = np.concatenate([a + (b - a) * np.linspace(0, 1, 9)[:-1, None] for a, b in zip(ours[:-1], ours[1:])])
+    away = np.array([distance(p[None], theirs) for p in line])
+    away = np.roll(away, -int(np.argmin(away)))
+    runs = np.split(away, np.flatnonzero(np.diff((away > CHORD_MM).astype(int))) + 1)
+    return [float(run.max()) for run in runs if run.max() > CHORD_MM]
+
+
+def why(theirs, ours, drawing, allowances):
+    """What makes a piece of Valentina's own export another one than its drawing says. `allowances` is (theirs, ours)."""
+    wider = float((np.ptp(theirs, axis=0) - np.ptp(ours, axis=0)).min()) / 2
+    if max(allowances[0]) == 0 and min(allowances[1]) > 0 and wider > CHORD_MM:
+        return f"its export has the cut line alone, {wider:.1f} mm outside"
+    if deep := [depth for depth in strays(theirs, ours) if depth > 1]:
+        return f"its export leaves out {len(deep)} darts, slits or loops of the outline, up to {max(deep):.1f} mm deep"
+    if 'type="triangle"' in drawing:
+        return "a corner is a point of the tool triangle, which Valentina searches in steps of 0.26 mm"
+    return "not known"
 
 
 def tools(args):
@@ -314,15 +340,16 @@ def tools(args):
             print(f"  {name}: {error}")
             continue
         read += 1
+        text = (folder / f"{drawing}.val").read_text(errors="replace")
         theirs = Pattern.read(args.data / f"valentina/{name}.astm.dxf")
         lines = [ring(ours, i, 64) for i in range(len(ours.panels))]
         for i, piece in enumerate(theirs.panels):
             corners = ring(theirs, i, 1)
-            worst, back = min(away(corners, line) for line in lines)
+            worst, back, shift, k = min(((*away(corners, line), k) for k, line in enumerate(lines)), key=lambda found: found[:2])
             pieces, good, both = pieces + 1, good + (worst <= 0.1), both + (worst <= 0.1 and back <= CHORD_MM)
             if worst > 0.1 or back > CHORD_MM:
                 print(f"  {name} {piece}: its corners within {worst:.3f} mm of our curves, our curves within {back:.3f} mm "
-                      "of its chords")
+                      f"of its chords: {why(corners, lines[k] - shift, text, [widths(theirs, i), widths(ours, k)])}")
     print(f"tools: {read} of {len(DRAWINGS)} drawings of Valentina read; of {pieces} pieces {good} have the corners of its "
           f"export within 0.1 mm, {both} also the whole outline within {CHORD_MM} mm of its chords")
     others = sorted(path for path in folder.rglob("*.val") if path.stat().st_size < 1e6)

@@ -111,8 +111,9 @@ static mus_status dxf_sizes(mus__dxf *dxf)
         for (int32_t p = 0; p < own->npiece; p++)
             if (strcmp(other->names[p], own->names[p]) != 0 || other->pieces[p].nside != own->pieces[p].nside)
                 return mus__file_fail(own->context, MUS_ERR_ARG,
-                                      "dxf: size %.40s: piece %.60s has %d edges; the sample has %.60s with %d", size,
-                                      other->names[p], other->pieces[p].nside, own->names[p], own->pieces[p].nside);
+                                      "dxf: size %.40s: piece %.60s has %d edges; the sample has %.60s with %d. Rules "
+                                      "move the points of the sample and make no dart", size, other->names[p],
+                                      other->pieces[p].nside, own->names[p], own->pieces[p].nside);
     }
     return MUS_OK;
 }

@@ -56,6 +56,8 @@ typedef struct strand {
 static void raw_add(raw_path *raw, double x, double y)
 {
     if (raw->status != MUS_OK) return;
+    const double *last = raw->n > 0 ? raw->xy + 2 * (ptrdiff_t)(raw->n - 1) : NULL;
+    if (last != NULL && fabs(last[0] - x) + fabs(last[1] - y) < JITTER) return; /* the jitter would make a loop of it */
     raw->status = mus__reserve(raw->context, &raw->xy, &raw->room, 2 * (int64_t)raw->n + 2, sizeof *raw->xy);
     if (raw->status != MUS_OK) return;
     raw->xy[2 * raw->n] = x;

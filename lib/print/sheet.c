@@ -213,7 +213,7 @@ static bool sheet_taken(const void *user, const double *box)
 {
     const mus_sheet *sheet = user;
     for (int32_t i = 0; i < sheet->npiece; i++)
-        if (mus__piece_meets(&sheet->pieces[i], box)) return true;
+        if (mus__piece_meets(&sheet->pieces[i], NULL, box)) return true;
     return false;
 }
 

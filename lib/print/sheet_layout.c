@@ -49,6 +49,8 @@ typedef struct layout {
 /* what the search needs: the pieces as shapes, and room */
 typedef struct search {
     int32_t n;         /* nests */
+    double *runs;      /* boxes of runs of sides, of all pieces (mus__piece_runs) */
+    int32_t *run;      /* (pieces) first box of each piece */
     double *box;       /* (n + 1) x 4 low x, low y, high x, high y of all sizes of a nest [m] */
     mus__shape *shapes; /* (n + 1) */
     int32_t *order;    /* (n + 1) in which the shapes are packed */
@@ -65,6 +67,8 @@ static void search_free(const mus_sheet *sheet, search *s)
     mus_context *context = sheet->context;
     for (int32_t i = 0; i <= s->n && s->shapes != NULL; i++) mus__shape_free(context, &s->shapes[i]);
     mus__strip_free(context, &s->strip);
+    mus__print_free(context, s->runs);
+    mus__print_free(context, s->run);
     mus__print_free(context, s->box);
     mus__print_free(context, s->shapes);
     mus__print_free(context, s->order);
@@ -123,13 +127,22 @@ static mus_status search_shapes(const mus_sheet *sheet, search *s, double slab)
 static mus_status search_make(const mus_sheet *sheet, search *s)
 {
     const int64_t n = s->n = sheet->npiece / sheet->nsize;
+    int32_t runs = 0;
+    for (int32_t i = 0; i < sheet->npiece; i++) runs += mus__piece_runs(&sheet->pieces[i], NULL);
+    s->runs = mus__print_new(sheet->context, runs, 4 * sizeof *s->runs);
+    s->run = mus__print_new(sheet->context, sheet->npiece, sizeof *s->run);
     s->box = mus__print_new(sheet->context, n + 1, 4 * sizeof *s->box);
     s->shapes = mus__print_new(sheet->context, n + 1, sizeof *s->shapes);
     s->order = mus__print_new(sheet->context, n + 1, sizeof *s->order);
     s->now.places = mus__print_new(sheet->context, n + 1, sizeof *s->now.places);
     s->best.places = mus__print_new(sheet->context, n + 1, sizeof *s->best.places);
-    if (s->box == NULL || s->shapes == NULL || s->order == NULL || s->now.places == NULL || s->best.places == NULL)
+    if (s->runs == NULL || s->run == NULL || s->box == NULL || s->shapes == NULL || s->order == NULL ||
+        s->now.places == NULL || s->best.places == NULL)
         return mus__print_memory(sheet->context, "the layout of a sheet");
+    for (int32_t i = 0, at = 0; i < sheet->npiece; i++) {
+        s->run[i] = at;
+        at += mus__piece_runs(&sheet->pieces[i], s->runs + 4 * at);
+    }
     return search_shapes(sheet, s, SLAB_COARSE);
 }
 
@@ -232,15 +245,18 @@ static bool layout_meets(const void *user, const double *box)
             at[k] = flip ? own[2 + k] - high[k] : own[k] + low[k];
             at[2 + k] = flip ? own[2 + k] - low[k] : own[k] + high[k];
         }
-        for (int32_t k = 0; k < sheet->nsize; k++)
-            if (mus__piece_meets(&sheet->pieces[i * sheet->nsize + k], at)) return true;
+        for (int32_t k = 0; k < sheet->nsize; k++) {
+            const int32_t piece = i * sheet->nsize + k;
+            if (mus__piece_meets(&sheet->pieces[piece], view->search->runs + 4 * view->search->run[piece], at))
+                return true;
+        }
     }
     return false;
 }
 
 
-/* set the pages of the sheet to those that the layout fills */
-static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l)
+/* set the pages of the sheet to those that the layout fills, or to the first of them when they are more than `most` */
+static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l, int32_t most)
 {
     const layout_view view = {sheet, s, l};
     const mus_status status = mus__print_reserve(sheet->context, &sheet->tiles, &s->tile_room,
@@ -258,6 +274,7 @@ static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l)
             double box[4];
             mus__tile_window(sheet, &tile, box);
             if (layout_meets(&view, box)) sheet->tiles[sheet->ntile++] = tile;
+            if (sheet->ntile > most) return MUS_OK;
         }
     }
     /* a last row may hold nothing but the border; places are measured from the top */
@@ -272,9 +289,10 @@ static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l)
 static void layout_compare(mus_sheet *sheet, search *s)
 {
     layout *l = &s->now, *best = &s->best;
-    if (s->status == MUS_OK) s->status = layout_pages(sheet, s, l);
-    if (s->status != MUS_OK) return;
     const int32_t most = best->ntile + best->cover;
+    /* layout_move() and layout_search() ask no more of a layout than that it has this many more */
+    if (s->status == MUS_OK) s->status = layout_pages(sheet, s, l, best->ntile > 0 ? most + 2 : TILES_MAX);
+    if (s->status != MUS_OK) return;
     l->ntile = sheet->ntile;
     l->cover = false;
     if (best->ntile > 0 && (most < l->ntile || (most == l->ntile && best->used <= l->used))) return;
@@ -391,7 +409,7 @@ static mus_status layout_find(mus_sheet *sheet, search *s)
 static mus_status layout_take(mus_sheet *sheet, search *s)
 {
     layout *l = &s->best;
-    const mus_status status = layout_pages(sheet, s, l);
+    const mus_status status = layout_pages(sheet, s, l, TILES_MAX);
     if (status != MUS_OK) return status;
     sheet->packed = l->squares;
     if (l->squares) layout_corner(sheet, s, l, s->n, sheet->squares);

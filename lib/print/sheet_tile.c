@@ -26,19 +26,50 @@ bool mus__segment_meets(const double *a, const double *b, const double *box)
 }
 
 
-bool mus__piece_meets(const mus__piece *piece, const double *box)
+int32_t mus__piece_runs(const mus__piece *piece, double *runs)
+{
+    int32_t n = 0;
+    for (int32_t l = 0; l < piece->cut.nloop; l++) {
+        const int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
+        for (int32_t first = start; first < end; first += MUS__RUN, n++) {
+            double *run = runs + 4 * n;
+            if (runs == NULL) continue;
+            run[0] = run[1] = HUGE_VAL, run[2] = run[3] = -HUGE_VAL;
+            for (int32_t i = first; i <= end && i <= first + MUS__RUN; i++) {
+                const double *p = piece->cut.xy + 2 * (i < end ? i : start);
+                for (int32_t k = 0; k < 2; k++) {
+                    run[k] = p[k] < run[k] ? p[k] : run[k];
+                    run[2 + k] = p[k] > run[2 + k] ? p[k] : run[2 + k];
+                }
+            }
+        }
+    }
+    return n;
+}
+
+
+bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box)
 {
     if (box[0] > piece->box[2] || box[2] < piece->box[0] || box[1] > piece->box[3] || box[3] < piece->box[1])
         return false;
 
-    double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
+    /* the middle of the box is inside when a line from it to the right crosses the cut line an odd number of times */
+    const double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
     bool inside = false;
     for (int32_t l = 0; l < piece->cut.nloop; l++) {
-        int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
-        for (int32_t i = start; i < end; i++) {
-            const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
-            if (mus__segment_meets(a, b, box)) return true;
-            if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1])) inside = !inside;
+        const int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
+        for (int32_t first = start; first < end; first += MUS__RUN) {
+            const double *run = runs;
+            if (runs != NULL) runs += 4;
+            if (run != NULL && (run[0] > box[2] || run[2] < box[0] || run[1] > box[3] || run[3] < box[1]) &&
+                (run[1] > my || run[3] < my || run[2] < mx))
+                continue;
+            for (int32_t i = first; i < end && i < first + MUS__RUN; i++) {
+                const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
+                if (mus__segment_meets(a, b, box)) return true;
+                if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1]))
+                    inside = !inside;
+            }
         }
     }
     return inside;

@@ -14,14 +14,16 @@
  *               O
  *
  * The distance is measured at places of the edge, square to the edge. A place counts where the cut line is that of the
- * edge: no other part of the sew line is nearer to it. Two neighbouring places at one distance show a parallel stretch.
+ * edge: no other part of the sew line is nearer to it. Most of these at one distance, two of them neighbours, show that
+ * the lines are parallel.
  */
 #include <math.h>
 
 #include "base/elementary.h"
+#include "base/sort.h"
 #include "trade/dxf_ring.h"
 
-#define REACH_PLACES 12   /* places of an edge; chosen: a stretch of a sixth of the edge is found */
+#define REACH_PLACES 12   /* places of an edge; chosen: a stretch of a sixth of the edge has two */
 /* as many more are shared out by length to the edges that show none; chosen: they are 5 mm apart on a skirt */
 #define REACH_ROUND 1000
 #define REACH_SPREAD 5e-5 /* [m] distances that agree; chosen: five times the chords of a file */
@@ -75,23 +77,29 @@ static void reach_edge(const mus__ring *sew, int32_t first, int32_t n, const mus
 }
 
 
-/* of the distances of two neighbours, the one in the middle of the most places; NAN without such neighbours */
+static int by_distance(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+
+/* the distance at which most of the places lie that count, and two neighbours among them; NAN without one */
 static double reach_common(const double *d, int32_t places)
 {
-    double best = NAN, least = 0.0;
-    int32_t most = 0;
-    for (int32_t i = 0; i + 1 < places; i++) {
-        int32_t same = 0;
-        double sum = 0.0;
-        if (!(fabs(d[i + 1] - d[i]) < REACH_SPREAD)) continue;
-        for (int32_t j = 0; j < places; j++) {
-            if (!(fabs(d[j] - d[i]) < REACH_SPREAD)) continue;
-            same++;
-            sum += fabs(d[j] - d[i]);
-        }
-        if (same > most || (same == most && sum < least)) most = same, least = sum, best = d[i];
+    double sorted[REACH_PLACES + REACH_ROUND];
+    int32_t count = 0, same = 0, beside = 0;
+    for (int32_t i = 0; i < places; i++)
+        if (!isnan(d[i])) sorted[count++] = d[i];
+    if (count < 2) return NAN;
+    mus__sort(sorted, (size_t)count, sizeof *sorted, by_distance);
+    const double middle = sorted[count / 2];
+    for (int32_t i = 0; i < places; i++) {
+        if (!(fabs(d[i] - middle) < REACH_SPREAD)) continue;
+        same++;
+        beside += i > 0 && fabs(d[i - 1] - middle) < REACH_SPREAD;
     }
-    return best;
+    return 2 * same > count && beside > 0 ? middle : NAN;
 }
 
 

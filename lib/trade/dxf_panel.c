@@ -108,7 +108,7 @@ bool mus__dxf_is_piece(const mus__dxf_file *file, const mus__dxf_block *block)
     for (int32_t i = block->first; i < block->first + block->n; i++) {
         const mus__dxf_entity *entity = &file->entities[i];
         const bool line = entity->kind == MUS__DXF_LINE || entity->kind == MUS__DXF_POLYLINE;
-        if (line && entity->n > 1 && (entity->layer == 1 || entity->layer == 84)) return true;
+        if (line && entity->n > 0 && (entity->layer == 1 || entity->layer == 84)) return true;
     }
     return false;
 }

@@ -50,7 +50,8 @@ def kill(client, times, pause):
     draw = random.Random(1)
     for _ in range(times):
         time.sleep(draw.uniform(0.5, 1.5) * pause)
-        pids = list(client.run(os.getpid).values())
+        while not (pids := list(client.run(os.getpid).values())):
+            time.sleep(0.1)  # those killed before are not back yet
         victim = draw.choice(pids)
         print(f"     worker {pids.index(victim) + 1} of {len(pids)} is killed", flush=True)
         os.kill(victim, 9)

@@ -113,11 +113,12 @@ def node():
     return run(program, package / "tshirt.js", *SCENE, **here)
 
 
-def rust():
+def rust(example):
     cargo, = need("cargo")
     where = {"CARGO_TARGET_DIR": str(OUT / "rust"), "MUSLIN_LIB_DIR": str(LIB.parent), "MUSLIN_STATIC": "1"}
-    run(cargo, "test", "-q", "--offline", "--locked", cwd=BINDINGS / "rust", **where)
-    return run(cargo, "run", "-q", "--offline", "--locked", "--example", "tshirt", "--", *SCENE, cwd=BINDINGS / "rust",
+    if example == "tshirt":
+        run(cargo, "test", "-q", "--offline", "--locked", cwd=BINDINGS / "rust", **where)
+    return run(cargo, "run", "-q", "--offline", "--locked", "--example", example, "--", *SCENE, cwd=BINDINGS / "rust",
                **where)
 
 
@@ -132,7 +133,8 @@ def julia():
 
 
 HOSTS = {"g++": lambda: cpp("g++"), "clang++": lambda: cpp("clang++"), "g++ with ASan and UBSan": cpp_asan,
-         "luajit": lua, "python (ctypes)": ctypes, "python (cffi)": cffi, "node": node, "cargo": rust, "julia": julia}
+         "luajit": lua, "python (ctypes)": ctypes, "python (cffi)": cffi, "node": node,
+         "cargo": lambda: rust("tshirt"), "cargo (muslin-sys)": lambda: rust("tshirt_sys"), "julia": julia}
 
 
 def main():

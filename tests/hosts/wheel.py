@@ -95,7 +95,7 @@ def plain(python, *arguments):
     """What Python prints in the folder TRIED with nothing of the repository in its environment."""
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("MUSLIN", "PYTHON"))}
     done = subprocess.run([str(python), *map(str, arguments)], cwd=TRIED, env=kept, capture_output=True, text=True,
-                          timeout=550)
+                          timeout=1500)
     if done.returncode != 0:
         raise RuntimeError(done.stderr or done.stdout)
     return done.stdout.strip()

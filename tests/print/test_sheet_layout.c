@@ -3,6 +3,7 @@
  * ones are left out, and the marks of two neighbours fall on each other.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "print/page.h"
@@ -196,7 +197,7 @@ START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
                                 {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
     for (int32_t k = 0; k < 2; k++) {
         int32_t pages = 0;
-        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], boxes[k]));
+        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, boxes[k]));
         for (int32_t i = 0; i < sheet->ntile; i++) {
             double box[4];
             mus__tile_window(sheet, &sheet->tiles[i], box);
@@ -222,7 +223,7 @@ START_TEST(pages_without_cloth_are_left_out)
     for (int32_t i = 0; i < sheet->ntile; i++) {
         double box[4];
         mus__tile_window(sheet, &sheet->tiles[i], box);
-        ck_assert(mus__piece_meets(&sheet->pieces[0], box));
+        ck_assert(mus__piece_meets(&sheet->pieces[0], NULL, box));
     }
     mus_pattern_destroy(strip);
 }
@@ -265,6 +266,32 @@ START_TEST(a_page_without_a_line_of_its_own_is_left_out)
 END_TEST
 
 
+START_TEST(runs_of_sides_change_no_answer)
+{
+    make(pattern);
+    int32_t met = 0, all = 0;
+    for (int32_t i = 0; i < sheet->npiece; i++) {
+        const mus__piece *piece = &sheet->pieces[i];
+        const int32_t n = mus__piece_runs(piece, NULL);
+        double *runs = malloc(4 * (size_t)n * sizeof *runs);
+        ck_assert_ptr_nonnull(runs);
+        ck_assert_int_eq(mus__piece_runs(piece, runs), n);
+        for (int32_t k = 0; k < 400; k++, all++) {
+            const double x = piece->box[0] + (piece->box[2] - piece->box[0]) * (k % 20 - 1) / 18.0;
+            const double y = piece->box[1] + (piece->box[3] - piece->box[1]) * (double)(k / 20 - 1) / 18.0;
+            const double wide = 0.001 * (1 + k % 7), box[4] = {x, y, x + wide, y + wide};
+            const bool meets = mus__piece_meets(piece, NULL, box);
+            ck_assert(mus__piece_meets(piece, runs, box) == meets);
+            met += meets;
+        }
+        free(runs);
+    }
+    ck_assert_int_gt(met, all / 4);
+    ck_assert_int_lt(met, all);
+}
+END_TEST
+
+
 START_TEST(one_page_has_no_cover_and_its_own_squares)
 {
     def.paper = MUS_PAPER_ROLL;
@@ -276,7 +303,7 @@ START_TEST(one_page_has_no_cover_and_its_own_squares)
     ck_assert_double_eq_tol(page[2], 0.914, 1e-4);
     ck_assert_double_lt(page[3], 5.08);
     const double *at = sheet->squares, box[4] = {at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES};
-    for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], box));
+    for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, box));
     ck_assert(shown(box[0], box[1]) && shown(box[2], box[3]));
 }
 END_TEST
@@ -342,6 +369,7 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_a_page);
     tcase_add_test(test, pages_without_cloth_are_left_out);
     tcase_add_test(test, a_page_without_a_line_of_its_own_is_left_out);
+    tcase_add_test(test, runs_of_sides_change_no_answer);
     tcase_add_test(test, one_page_has_no_cover_and_its_own_squares);
     tcase_add_test(test, long_rolls_stay_below_the_limit_of_pdf);
     tcase_add_test(test, papers_are_whole_points);

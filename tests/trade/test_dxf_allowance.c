@@ -75,6 +75,22 @@ START_TEST(every_edge_comes_back_with_the_allowance_it_was_cut_with)
 END_TEST
 
 
+/* Valentina's cut line of this piece goes 50 to 89 mm away from one of three edges and back: that is no allowance */
+START_TEST(a_cut_line_that_is_nowhere_parallel_gives_no_allowance)
+{
+    char path[512];
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    if (support_data("valentina/issue646_notches.astm.dxf", path, sizeof path) == NULL) return;
+    ck_assert_int_eq(mus_pattern_read(context, path, &pattern), MUS_OK);
+    for (int32_t e = 0; e < 3; e++)
+        ck_assert_double_eq_tol(mus_pattern_edge_allowance(pattern, e), e == 1 ? 0.0 : 0.01, 1e-5);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_dxf_allowance(void);
 
 Suite *mus_suite_dxf_allowance(void)
@@ -82,6 +98,7 @@ Suite *mus_suite_dxf_allowance(void)
     Suite *suite = suite_create("dxf_allowance");
     TCase *tests = tcase_create("dxf_allowance");
     tcase_add_loop_test(tests, every_edge_comes_back_with_the_allowance_it_was_cut_with, 0, 2);
+    tcase_add_test(tests, a_cut_line_that_is_nowhere_parallel_gives_no_allowance);
     suite_add_tcase(suite, tests);
     return suite;
 }

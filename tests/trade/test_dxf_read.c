@@ -190,6 +190,8 @@ START_TEST(a_fault_is_told_with_its_line)
          MUS_ERR_FORMAT},
         {"0\nBLOCK\n2\nA\n0\nLINE\n8\n1\n10\n0\n20\n0\n11\n9\n21\n0\n0\nENDBLK\n0\nEOF\n", "open by 9.00 mm",
          MUS_ERR_FORMAT},
+        {"0\nBLOCK\n2\nA\n0\nPOLYLINE\n8\n1\n0\nVERTEX\n8\n1\n10\n0\n20\n0\n0\nSEQEND\n0\nENDBLK\n0\nEOF\n",
+         "fewer than three points", MUS_ERR_FORMAT},
         {"0\nBLOCK\n2\nA\n0\nARC\n8\n1\n40\n5\n0\nENDBLK\n0\nEOF\n", "ARC on layer 1; expected POLYLINE",
          MUS_ERR_UNSUPPORTED},
         {"0\nBLOCK\n2\nA\n0\nPOLYLINE\n8\n1\n0\nLINE\n0\nEOF\n", "expected VERTEX or SEQEND, got \"LINE\"",

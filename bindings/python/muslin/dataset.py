@@ -10,6 +10,7 @@ dressed keeps its row, with the reason. A shard that is there is not made again.
 """
 from __future__ import annotations
 
+import functools
 import itertools
 import os
 import pathlib
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from .body import Body
+from .context import Context
 from .design import draft
 from .dress import dress
 from .errors import MuslinError
@@ -33,13 +35,20 @@ if TYPE_CHECKING:
 ARRAYS = ("positions", "rest", "triangles")
 
 
+@functools.lru_cache(maxsize=16)
+def _bodies(context: Context, *state: Any) -> tuple[Body, Body]:
+    """The body of a tape's state, and a coarser copy for pictures: made once for many garments of a wearer."""
+    body = Body(Tape._of_state(context, *state))
+    return body, body.remade(samples=24, ring_spacing=0.03)
+
+
 def garment(job: tuple[str, Tape, Mapping[str, Any]]) -> tuple[dict[str, Any], dict[str, Any] | None]:
     """(row, arrays or None) of one garment: a design or words, a tape, options of dress() and `picture`."""
     design, tape, options = job[0], job[1], dict(job[2])
     size = options.pop("picture", None)
     row: dict[str, Any] = {"design": design, "tape": tape.to_bytes().decode(), "status": "MUS_OK", "reason": ""}
     try:
-        pattern, body = draft(design, tape), Body(tape)
+        pattern, (body, seen) = draft(design, tape), _bodies(tape.context, *tape._state())
         row["pattern"] = pattern.to_bytes().decode()
         worn = dress(pattern, body, strict=False, **options)
     except MuslinError as error:
@@ -53,7 +62,7 @@ def garment(job: tuple[str, Tape, Mapping[str, Any]]) -> tuple[dict[str, Any], d
     row.update(strain_p95=fit.spread("strain")["p95"], pressure_p95=fit.spread("pressure")["p95"],
                state_hash=worn.drape.state_hash, nodes=len(worn.drape), triangles=len(worn.cloth.triangles))
     if size:
-        row["picture"] = png_bytes(render(worn.meshes(body=body.remade(samples=24, ring_spacing=0.03)), *size))
+        row["picture"] = png_bytes(render(worn.meshes(body=seen), *size))
     return row, {"positions": worn.drape.positions.astype(numpy.float32),
                  "rest": worn.cloth.rest.astype(numpy.float32), "triangles": worn.cloth.triangles.copy()}
 

@@ -1,9 +1,8 @@
 /* absent.c: in place of what a module in a browser does not have: readers that need outside libraries, and paths. */
 #include <stddef.h>
 
+#include "absent.h"
 #include "exchange/tape_readers.h"
-
-char *realpath(const char *path, char *resolved);
 
 
 char *realpath(const char *path, char *resolved)

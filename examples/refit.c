@@ -73,9 +73,9 @@ int main(void)
         if (step == 0) first = report.spring_evaluations;
         printf("waist %.1f cm: %s, %d of %d seams closed, %s\n", 100 * mus_tape_value(tape, MUS_MEASURE_WAIST),
                report.settled ? "at rest" : "not at rest", (int)report.seams_closed, (int)report.seams,
-               step == 0                                ? "sewn"
-               : report.spring_evaluations < first / 2 ? "less than half of the first run's work"
-                                                        : "half of the first run's work or more");
+               step == 0                                   ? "sewn"
+               : report.spring_evaluations < first * 2 / 3 ? "less than two thirds of the first run's work"
+                                                           : "two thirds of the first run's work or more");
     }
     mus_drape_destroy(drape);
     mus_tape_destroy(tape);

@@ -234,7 +234,7 @@ static mus_status weigh(verify *v, const mus_body *body, double height, double c
     fabric.damping = 0.1;
     def.precision = 64;
     def.drag = 0.0;
-    def.settle_residual = 1e-3;
+    def.settle_residual = 1e-4;
     mus_status status = mus_cloth_create_grid(v->context, SIDE, SIDE, cells, &cut, &cloth);
     if (status == MUS_OK) status = mus_drape_create(v->context, cloth, body, &def, &drape);
     if (status == MUS_OK && body == NULL) status = mus_drape_add_plane(drape, NULL, NULL);

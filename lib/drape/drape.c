@@ -17,7 +17,6 @@
 #include "drape/drape_state.h"
 #include "drape/residual.h"
 #include "drape/weld.h"
-#include "sim/step_bound.h"
 
 #define LEAST_THICKNESS 1e-5 /* [m] a hundred times the rounding of a metre in float */
 #define MOST_GRAVITY 1e4     /* [m/s2] a thousand g */
@@ -152,16 +151,6 @@ static void lay_flat(mus_drape *drape)
 }
 
 
-/* whether the rounding of a float state alone would leave more force at the nodes than a settle allows */
-static bool float_too_coarse(mus_drape *drape)
-{
-    lay_flat(drape);
-    memcpy(drape->mass, drape->cloth->mass, (size_t)drape->n * sizeof *drape->mass);
-    mus__program_stiffness_at(&drape->program, drape->n, drape->x, drape->stepping.stiffness, drape->stepping.tangent);
-    return mus__residual_rounding(drape) > drape->def.settle_residual;
-}
-
-
 mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const mus_body *body, mus_drape *parent,
                            const mus_drape_def *def, const struct mus__drape_kit *kit, mus_drape **out)
 {
@@ -179,7 +168,8 @@ mus_status mus__drape_make(mus_context *context, const mus_cloth *cloth, const m
     drape->sim.ops = drape->def.precision == 64 ? kit->doubles : kit->single;
     mus_status status = mus__program_build(context, cloth, drape->sim.ops->real, &drape->program);
     if (status == MUS_OK) status = take_memory(drape);
-    if (status == MUS_OK && def->precision == 0 && kit->doubles != NULL && float_too_coarse(drape)) {
+    if (status == MUS_OK) lay_flat(drape);
+    if (status == MUS_OK && def->precision == 0 && kit->doubles != NULL && mus__float_too_coarse(drape)) {
         mus_drape_def fine = *def;
         fine.precision = 64;
         mus_drape_destroy(drape);

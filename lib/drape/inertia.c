@@ -1,5 +1,5 @@
 /*
- * inertia.c: the inertia of nodes in relaxation. A shape at rest does not depend on inertia, so inertia is free to be
+ * inertia.c: inertia tensors of nodes in relaxation. A shape at rest does not depend on inertia, so inertia is free to be
  * what lets one step suit all nodes and all directions.
  *
  * A diagonal bound T of the stiffness K (step_bound.c) has u K u <= u T u for every motion u, so with M = T / rate2 no
@@ -25,47 +25,6 @@
 /* share of the trace of T added in all directions, because the sheet turns until the tensors are taken anew; chosen:
  * 0.003 diverged on cotton, from 0.01 on all cloths were stable, and steps grow with it */
 #define TURN 0.03
-
-
-double mus__drape_inertia(mus_drape *drape, int32_t scaled)
-{
-    mus__drape_stale(drape);
-    if (scaled)
-        mus__program_stiffness_at(&drape->program, drape->n, drape->x, drape->stepping.stiffness,
-                                  drape->stepping.tangent);
-    else
-        mus__program_stiffness(&drape->program, drape->n, drape->stepping.stiffness);
-
-    /* the lattice's own rate: the largest over nodes that only runs act on; without any, that of the mean node */
-    double lattice = 0.0, all = 0.0, stiff = 0.0, heavy = 0.0;
-    int32_t g = 0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        while (g < drape->program.nirregular && drape->program.irregular_node[g] < i) g++;
-        const int32_t irregular = g < drape->program.nirregular && drape->program.irregular_node[g] == i;
-        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        const double rate2 = drape->stepping.stiffness[i] / drape->mass[i];
-        stiff += drape->stepping.stiffness[i];
-        heavy += drape->mass[i];
-        if (rate2 > all) all = rate2;
-        if (!irregular && rate2 > lattice) lattice = rate2;
-    }
-    if (!(lattice > 0.0) && heavy > 0.0) lattice = stiff / heavy;
-    const double reference = scaled ? lattice : all;
-    drape->relax.rate2 = reference;
-
-    for (int32_t i = 0; i < drape->n; i++) {
-        const double mass = drape->mass[i];
-        if (mass <= 0.0 || drape->pinned[i]) {
-            drape->sim.ops->set_node(&drape->sim, i, 0.0, 0.0);
-            continue;
-        }
-        const double needed = reference > 0.0 ? drape->stepping.stiffness[i] / reference : 0.0;
-        const double inertia = needed > mass ? needed : mass;
-        drape->sim.ops->set_node(&drape->sim, i, 1.0 / inertia, mass / inertia);
-    }
-    /* h = 2.62 / sqrt(max T/m): proof in the header of mus_drape_step_bound */
-    return reference > 0.0 ? 2.62 / sqrt(reference) : 1e9;
-}
 
 
 /* the inverse of a symmetric matrix m, both as xx, yy, zz, xy, yz, zx */

@@ -14,8 +14,6 @@
 #define CREASE                                                                                                         \
     0.0005 /* [m] how far to each side they are looked for; chosen: below the radius of any crease of a skin */
 #define SIDES_MAX (3 * MUS__TOUCHING_MAX)
-#define FLOAT_ROUNDING 3e-8 /* [m] half an ulp of a float between 0.25 and 0.5 m */
-#define ROUNDING_LEFT 0.03  /* share of the force by rounding that the mean leaves; fitted on woven cloths at rest */
 #define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
 
 
@@ -82,44 +80,16 @@ static int32_t carry_by_skin(const mus_drape *drape, const double *x, double wei
 }
 
 
-/* the acceleration that weighs the nodes [m/s2]; that of the earth where there is none */
-static double weighing(const mus_drape *drape)
-{
-    const double g = length3(drape->def.gravity);
-    return g > 0.0 ? g : 9.81;
-}
-
-
-/*
- * Places in float are rounded by some FLOAT_ROUNDING, each by itself, so a node of stiffness T feels about T times that
- * force; the mean over the last steps takes most of it away, and leaves ROUNDING_LEFT (fitted: cotton 0.2 of a weight,
- * silk 0.1, wool 0.04, denim 0.03, with room).
- */
-double mus__residual_rounding(const mus_drape *drape)
-{
-    const double g = weighing(drape);
-    double sum = 0.0;
-    int64_t count = 0;
-    for (int32_t i = 0; i < drape->n; i++) {
-        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        const double felt = drape->stepping.stiffness[i] * FLOAT_ROUNDING / (drape->mass[i] * g);
-        sum += felt * felt;
-        count++;
-    }
-    return count > 0 ? ROUNDING_LEFT * sqrt(sum / (double)count) : 0.0;
-}
-
-
 double mus__residual(const mus_drape *drape, const double *x, double *unheld)
 {
-    const double *gravity = drape->def.gravity, g = weighing(drape);
+    const double *gravity = drape->def.gravity, g = length3(gravity);
     double *f = drape->relax.force, sum = 0.0, free2 = 0.0;
     int64_t count = 0, nfree = 0;
     mus__program_force(&drape->program, drape->n, x, f);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         double *r = f + 3 * (int64_t)i;
-        const double weight = drape->mass[i] * g;
+        const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
         int32_t touches = mus__drape_self_force(drape, i, r);
         if (drape->scene.collider != NULL) touches |= carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);

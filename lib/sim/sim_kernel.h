@@ -137,8 +137,8 @@ static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, cons
 }
 
 
-/* the same with the tensors of the nodes: v' = (v + h B (f + m g)) / (1 + h drag) */
-MUS_CLONES
+/* the same with the tensors of the nodes: v' = (v + h B (f + m g)) / (1 + h drag). It waits for memory at any vector
+ * width, so there is one version */
 static void MUS__NAME(advance_tensor)(mus__sim *sim, int32_t first, int32_t count, const MUS__REAL *restrict f)
 {
     const int64_t n = sim->n;

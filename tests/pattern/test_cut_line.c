@@ -180,17 +180,22 @@ END_TEST
 
 START_TEST(a_cap_makes_no_loop_of_its_own)
 {
-    /* both halves of a cap end in one point; points are moved by amounts that depend on their number: here 21 numbers */
-    double xy[2 * 30] = {0.0, 0.0};
-    for (int32_t i = 0; i < _i; i++) xy[2 * (i + 1)] = 0.4 * (i + 1) / (_i + 1);
-    memcpy(xy + 2 * (_i + 1), cornered + 2, sizeof cornered - 2 * sizeof *cornered);
-    const int32_t panel = polygon(9 + _i, xy, "------------------------------");
-    sew(3 + _i, 4 + _i);
-    cut(panel, 0.01);
-    int32_t n;
-    ck_assert_int_eq(mus_cut_line_loop_count(line), 1);
-    ck_assert_int_eq(mus_cut_line_loop(line, 0, &n, NULL), MUS_OK);
-    ck_assert_int_gt(n, 8);
+    /* both halves of a cap end in one point, which once was a loop in a panel of each of these */
+    static const char *const names[] = {"swing_jewel_sleeveless", "a_line_dress_raglan", "collar_dress_sleeveless"};
+    mus_tape *tape;
+    mus_pattern *own;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "W40"), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find(names[_i]), tape, NULL, &own), MUS_OK);
+    for (int32_t p = 0; p < mus_pattern_panel_count(own); p++) {
+        int32_t n;
+        mus_cut_line_destroy(line);
+        ck_assert_int_eq(mus_pattern_cut_line(own, p, 0.01, &line), MUS_OK);
+        ck_assert_int_eq(mus_cut_line_loop(line, 0, &n, NULL), MUS_OK);
+        ck_assert_int_gt(n, 3);
+    }
+    mus_pattern_destroy(own);
+    mus_tape_destroy(tape);
 }
 END_TEST
 
@@ -397,7 +402,7 @@ Suite *mus_suite_cut_line(void)
     tcase_add_checked_fixture(test, setup, teardown);
     tcase_add_test(test, a_dart_is_capped_by_the_edge_that_it_is_folded_onto);
     tcase_add_loop_test(test, a_cap_lies_on_the_cut_line_of_an_edge_with_a_corner_at_the_fold, 0, 2);
-    tcase_add_loop_test(test, a_cap_makes_no_loop_of_its_own, 0, 21);
+    tcase_add_loop_test(test, a_cap_makes_no_loop_of_its_own, 0, 3);
     tcase_add_test(test, legs_with_an_allowance_of_their_own_are_cut_open);
     tcase_add_test(test, a_dart_inside_the_panel_is_not_cut);
     tcase_add_test(test, a_hem_turned_up_lies_on_the_cut_lines_of_its_sides);

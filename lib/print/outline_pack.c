@@ -149,7 +149,7 @@ static const double *shape_slab(const mus__shape *shape, const bool *flip, int32
 }
 
 
-/* raise *y until each `step`-th slab of the shape, with its first slab on slab s, lies free; false at `limit` or above */
+/* raise *y until each `step`-th slab of the shape, its first slab on slab s, lies free; false at `limit` or above */
 static bool strip_raise(const mus__strip *strip, const mus__shape *shape, const bool *flip, int32_t s, int32_t step,
                         double limit, double *y)
 {

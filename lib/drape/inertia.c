@@ -1,6 +1,6 @@
 /*
- * inertia.c: inertia tensors of nodes in relaxation. A shape at rest does not depend on inertia, so inertia is free to be
- * what lets one step suit all nodes and all directions.
+ * inertia.c: inertia tensors of nodes in relaxation. A shape at rest does not depend on inertia, so inertia may be
+ * chosen such that one step suits all nodes and all directions.
  *
  * A diagonal bound T of the stiffness K (step_bound.c) has u K u <= u T u for every motion u, so with M = T / rate2 no
  * motion is quicker than sqrt(rate2). The scalar inertia of a node is the largest eigenvalue of its T over rate2. Its
@@ -9,22 +9,20 @@
  * relaxation, in: Computational Methods for Transient Analysis, 1983, has the diagonal form).
  *
  * Friction on a surface compares impulses across and along it, which stand for forces only where the inertia is a
- * scalar. So nodes that a surface or other cloth may touch before the tensors are taken anew keep the scalar.
+ * scalar. So nodes that a surface may touch before the tensors are taken anew keep the scalar.
  */
 #include <math.h>
 #include <string.h>
 
-#include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "sim/force_program_constants.h"
 #include "sim/step_bound.h"
 
-/* [m] from surfaces and other cloth, from which on a node has a tensor; chosen: the way of a node between two calls in
+/* [m] from surfaces, from which on a node has a tensor; chosen: the way of a node between two calls in
  * a settle near rest, with room. A node that comes nearer between two calls is answered with its scalar */
-#define CLEAR 2e-3
+#define TENSOR_CLEAR 2e-3
 /* share of the trace of T added in all directions, because the sheet turns until the tensors are taken anew; chosen:
  * 0.003 diverged on cotton, from 0.01 on all cloths were stable, and steps grow with it */
-#define TURN 0.03
+#define TENSOR_TURN 0.03
 
 
 /* the inverse of a symmetric matrix m, both as xx, yy, zz, xy, yz, zx */
@@ -41,21 +39,10 @@ static void invert_symmetric(const double *m, double *out)
 }
 
 
-/* whether no surface and no other cloth can touch the node soon */
-static bool node_clear(const mus_drape *drape, int32_t i)
-{
-    if (drape->self != NULL) {
-        const double bound2 = mus__program_get(&drape->program, drape->self->bound, 3 * (int64_t)drape->sim.n + i);
-        if (!(bound2 > CLEAR * CLEAR)) return false;
-    }
-    return drape->sim.ops->clear_of(&drape->sim, i) > CLEAR;
-}
-
-
 /* the tensor of a node, T / rate2, from its bound of springs `t` (6) and the isotropic rest, and its inverse */
 static void node_tensor(const double *t, double isotropic, double rate2, double *tensor, double *inverse)
 {
-    const double all = isotropic + TURN * (t[0] + t[1] + t[2]);
+    const double all = isotropic + TENSOR_TURN * (t[0] + t[1] + t[2]);
     for (int32_t k = 0; k < 6; k++) tensor[k] = (t[k] + (k < 3 ? all : 0.0)) / rate2;
     invert_symmetric(tensor, inverse);
 }
@@ -79,7 +66,7 @@ void mus__drape_tensors(mus_drape *drape)
             continue;
         }
         sim->ops->set_node(sim, i, 1.0 / scalar, mass / scalar);
-        if (node_clear(drape, i))
+        if (sim->ops->clear_of(sim, i) > TENSOR_CLEAR)
             node_tensor(drape->stepping.tangent + 6 * (int64_t)i, isotropic[i], rate2, tensor, inverse);
         else
             for (int32_t k = 0; k < 3; k++) tensor[k] = scalar, inverse[k] = 1.0 / scalar;

@@ -179,9 +179,8 @@ END_TEST
 
 
 START_TEST(a_cap_makes_no_loop_of_its_own)
+{
     /* both halves of a cap end in one point, which once was a loop in a panel of each of these */
-    static const char *const names[] = {"swing_jewel_sleeveless", "a_line_dress_raglan",
-                                        "collar_dress_sleeveless"};
     static const char *const names[] = {"swing_jewel_sleeveless", "a_line_dress_raglan", "collar_dress_sleeveless"};
     mus_tape *tape;
     mus_pattern *own;

@@ -42,7 +42,8 @@
 /* All numbers below are chosen; the table of `make corpus` (at rest, crossings, seconds) shows what they change. */
 
 #define CHECK_SECONDS 0.1 /* [s] of cloth time between two checks */
-#define CHECK_STEPS_MOST 512 /* steps between two checks after the fall, at most: stiff cloth has steps of 10 us */
+/* full steps between two checks after the fall, at most, of smaller steps as many more: stiff cloth has steps of 10 us */
+#define CHECK_STEPS_MOST 512
 #define MEAN_STEPS 96     /* steps averaged before a check: all of them, since a sample would alias with ripples */
 #define MEAN_SECONDS 0.05 /* [s] averaged instead where cloth lies on cloth */
 
@@ -291,7 +292,7 @@ static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settl
                             .deep_rate = layers ? LAYER_DEEP_RATE : 0.0};
     memcpy(rule.gravity, drape->def.gravity, sizeof rule.gravity);
     const double h = now->h = mus__relax_step(drape, now->safety);
-    const double most = now->tensors ? CHECK_STEPS_MOST : 1e6;
+    const double most = now->tensors ? CHECK_STEPS_MOST * SAFETY_STEP / now->safety : 1e6;
     const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;

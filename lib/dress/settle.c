@@ -42,7 +42,8 @@
 /* All numbers below are chosen; the table of `make corpus` (at rest, crossings, seconds) shows what they change. */
 
 #define CHECK_SECONDS 0.1 /* [s] of cloth time between two checks */
-/* full steps between two checks after the fall, at most, of smaller steps as many more: stiff cloth has steps of 10 us */
+/* full steps between two checks after the fall, at most, and as many more of smaller steps: those of stiff cloth are
+ * 10 us */
 #define CHECK_STEPS_MOST 512
 #define MEAN_STEPS 96     /* steps averaged before a check: all of them, since a sample would alias with ripples */
 #define MEAN_SECONDS 0.05 /* [s] averaged instead where cloth lies on cloth */

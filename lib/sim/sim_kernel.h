@@ -111,9 +111,10 @@ static void MUS__NAME(rk_stage)(mus__sim *sim, int32_t first, int32_t count, con
 }
 
 
-/* v' = (v + h (f/m + g)) / (1 + h drag), limited; x' = x + h v'; into `next` */
-MUS_CLONES
-static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, const MUS__REAL *restrict f)
+/* v' = (v + h (f/m + g)) / (1 + h drag), limited; x' = x + h v'; into `next`. With `tensor` (a constant) the inverse
+ * inertia is the matrix B of each node: v' = (v + h B (f + m g)) / (1 + h drag) */
+static MUS_INLINE void MUS__NAME(euler_part)(const mus__sim *sim, int32_t tensor, int32_t first, int32_t count,
+                                             const MUS__REAL *restrict f)
 {
     const int64_t n = sim->n;
     const MUS__REAL h = (MUS__REAL)sim->phase_h, keep = (MUS__REAL)(1.0 / (1.0 + sim->phase_h * sim->drag));
@@ -121,13 +122,25 @@ static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, cons
     const MUS__REAL g0 = (MUS__REAL)sim->gravity[0], g1 = (MUS__REAL)sim->gravity[1], g2 = (MUS__REAL)sim->gravity[2];
     const MUS__REAL *restrict x = (const MUS__REAL *)sim->y + first;
     MUS__REAL *restrict to = (MUS__REAL *)sim->next + first;
-    const MUS__REAL *restrict inverse = (const MUS__REAL *)sim->inverse + first;
-    const MUS__REAL *restrict weight = (const MUS__REAL *)sim->weight + first;
+    const MUS__REAL *restrict b = tensor ? (const MUS__REAL *)sim->tensor + first : NULL;
+    const MUS__REAL *restrict inverse = tensor ? b : (const MUS__REAL *)sim->inverse + first;
+    const MUS__REAL *restrict weight = tensor ? b + 6 * n : (const MUS__REAL *)sim->weight + first;
     MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
-        MUS__REAL v0 = keep * (x[3 * n + i] + h * (f[i] * inverse[i] + g0 * weight[i]));
-        MUS__REAL v1 = keep * (x[4 * n + i] + h * (f[MUS__SPAN + i] * inverse[i] + g1 * weight[i]));
-        MUS__REAL v2 = keep * (x[5 * n + i] + h * (f[2 * MUS__SPAN + i] * inverse[i] + g2 * weight[i]));
+        const MUS__REAL w = weight[i]; /* the node's mass, or the share of its inertia that has weight */
+        MUS__REAL a0, a1, a2;
+        if (tensor) {
+            const MUS__REAL f0 = f[i] + w * g0, f1 = f[MUS__SPAN + i] + w * g1, f2 = f[2 * MUS__SPAN + i] + w * g2;
+            a0 = b[i] * f0 + b[3 * n + i] * f1 + b[5 * n + i] * f2;
+            a1 = b[3 * n + i] * f0 + b[n + i] * f1 + b[4 * n + i] * f2;
+            a2 = b[5 * n + i] * f0 + b[4 * n + i] * f1 + b[2 * n + i] * f2;
+        } else {
+            a0 = f[i] * inverse[i] + g0 * w;
+            a1 = f[MUS__SPAN + i] * inverse[i] + g1 * w;
+            a2 = f[2 * MUS__SPAN + i] * inverse[i] + g2 * w;
+        }
+        MUS__REAL v0 = keep * (x[3 * n + i] + h * a0), v1 = keep * (x[4 * n + i] + h * a1);
+        MUS__REAL v2 = keep * (x[5 * n + i] + h * a2);
         const MUS__REAL speed = MUS__SQRT(v0 * v0 + v1 * v1 + v2 * v2 + MUS__TINY2);
         const MUS__REAL scale = speed > limit ? limit / speed : 1;
         v0 *= scale, v1 *= scale, v2 *= scale;
@@ -137,30 +150,17 @@ static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, cons
 }
 
 
-/* the same with the tensors of the nodes: v' = (v + h B (f + m g)) / (1 + h drag). It waits for memory at any vector
- * width, so there is one version */
+MUS_CLONES
+static void MUS__NAME(advance)(mus__sim *sim, int32_t first, int32_t count, const MUS__REAL *restrict f)
+{
+    MUS__NAME(euler_part)(sim, 0, first, count, f);
+}
+
+
+/* the same with the tensors of the nodes. It waits for memory at any vector width, so there is one version */
 static void MUS__NAME(advance_tensor)(mus__sim *sim, int32_t first, int32_t count, const MUS__REAL *restrict f)
 {
-    const int64_t n = sim->n;
-    const MUS__REAL h = (MUS__REAL)sim->phase_h, keep = (MUS__REAL)(1.0 / (1.0 + sim->phase_h * sim->drag));
-    const MUS__REAL limit = (MUS__REAL)sim->speed_limit;
-    const MUS__REAL g0 = (MUS__REAL)sim->gravity[0], g1 = (MUS__REAL)sim->gravity[1], g2 = (MUS__REAL)sim->gravity[2];
-    const MUS__REAL *restrict x = (const MUS__REAL *)sim->y + first;
-    MUS__REAL *restrict to = (MUS__REAL *)sim->next + first;
-    const MUS__REAL *restrict b = (const MUS__REAL *)sim->tensor + first;
-    MUS_IVDEP
-    for (int32_t i = 0; i < count; i++) {
-        const MUS__REAL mass = b[6 * n + i];
-        const MUS__REAL f0 = f[i] + mass * g0, f1 = f[MUS__SPAN + i] + mass * g1, f2 = f[2 * MUS__SPAN + i] + mass * g2;
-        MUS__REAL v0 = keep * (x[3 * n + i] + h * (b[i] * f0 + b[3 * n + i] * f1 + b[5 * n + i] * f2));
-        MUS__REAL v1 = keep * (x[4 * n + i] + h * (b[3 * n + i] * f0 + b[n + i] * f1 + b[4 * n + i] * f2));
-        MUS__REAL v2 = keep * (x[5 * n + i] + h * (b[5 * n + i] * f0 + b[4 * n + i] * f1 + b[2 * n + i] * f2));
-        const MUS__REAL speed = MUS__SQRT(v0 * v0 + v1 * v1 + v2 * v2 + MUS__TINY2);
-        const MUS__REAL scale = speed > limit ? limit / speed : 1;
-        v0 *= scale, v1 *= scale, v2 *= scale;
-        to[3 * n + i] = v0, to[4 * n + i] = v1, to[5 * n + i] = v2;
-        to[i] = x[i] + h * v0, to[n + i] = x[n + i] + h * v1, to[2 * n + i] = x[2 * n + i] + h * v2;
-    }
+    MUS__NAME(euler_part)(sim, 1, first, count, f);
 }
 
 

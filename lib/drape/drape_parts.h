@@ -32,6 +32,7 @@ typedef struct mus__relaxation {
     double *bending;           /* (n) scratch: stiffness that is equal in all directions [N/m] */
     void *tensor;              /* (7 n) inverse tensors and masses, in the sim's precision (sim.h) */
     double rate2;              /* largest rate that a step of relaxation bears, squared [1/s2] */
+    double raised;             /* factor on the inertia of all nodes that this takes, at least 1 */
     double *force;             /* (n x 3) force left at each node by the last residual [N] */
     mus__component *component; /* (npanel), NULL before the first settle round a body */
     double residual; /* rms of force left over weight at the end of the last settle; NaN: the cloth was moved since */

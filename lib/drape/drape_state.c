@@ -178,7 +178,7 @@ mus_status mus__drape_plane_cache(mus_drape *drape)
 }
 
 
-double mus__drape_inertia(mus_drape *drape, int32_t scaled)
+double mus__drape_inertia(mus_drape *drape, int32_t scaled, double step)
 {
     mus__drape_stale(drape);
     if (scaled)
@@ -201,7 +201,10 @@ double mus__drape_inertia(mus_drape *drape, int32_t scaled)
         if (!irregular && rate2 > lattice) lattice = rate2;
     }
     if (!(lattice > 0.0) && heavy > 0.0) lattice = stiff / heavy;
-    const double reference = scaled ? lattice : all;
+    const double wanted = step > 0.0 ? 2.62 / step : 0.0;
+    const double own = scaled ? lattice : all, most = wanted * wanted;
+    const double reference = step > 0.0 && own > most ? most : own;
+    drape->relax.raised = reference > 0.0 ? own / reference : 1.0;
     drape->relax.rate2 = reference;
 
     for (int32_t i = 0; i < drape->n; i++) {

@@ -98,8 +98,9 @@ void mus__drape_name_skipped(mus_drape *drape);
 mus_status mus__drape_plane_cache(mus_drape *drape);
 /* set the inertia of all nodes. scaled 0: true masses, a bound for every pose. scaled nonzero: the bound at the pose x,
  * and a larger inertia where the stiffness asks for a smaller step than the lattice needs (mass scaling; a rest shape
- * does not depend on inertia). Returns the step bound of RK4 [s] */
-double mus__drape_inertia(mus_drape *drape, int32_t scaled);
+ * does not depend on inertia). step: a bound [s] that all inertia is raised for, 0: none. Returns the step bound of
+ * RK4 [s] */
+double mus__drape_inertia(mus_drape *drape, int32_t scaled, double step);
 /* takes the inertia tensors of the nodes at the state of the sim, for the step of the last mus__drape_inertia()
  * (inertia.c) */
 void mus__drape_tensors(mus_drape *drape);

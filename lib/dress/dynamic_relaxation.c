@@ -47,10 +47,10 @@ void mus__relax_clear(mus_drape *drape)
 }
 
 
-double mus__relax_step(mus_drape *drape, double safety)
+double mus__relax_step(mus_drape *drape, double safety, double least)
 {
-    /* the bound of symplectic Euler is 2/omega, that of RK4 2.62/omega */
-    return safety * (2.0 / 2.62) * mus__drape_inertia(drape, 1);
+    const double share = safety * (2.0 / 2.62); /* the bound of symplectic Euler is 2/omega, that of RK4 2.62/omega */
+    return share * mus__drape_inertia(drape, 1, least / share);
 }
 
 

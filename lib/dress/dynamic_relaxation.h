@@ -24,8 +24,9 @@ typedef struct mus__relax_rule {
     bool tensors;     /* inertia tensors where no surface and no cloth is near (drape/inertia.c); relax_create first */
 } mus__relax_rule;
 
-/* step [s] at the pose x: `safety` of the bound of symplectic Euler, with scaled inertia, which is set */
-double mus__relax_step(mus_drape *drape, double safety);
+/* step [s] at the pose x: `safety` of the bound of symplectic Euler, with scaled inertia, which is set; not less than
+ * `least` [s], for which all inertia is raised as far as needed (0: no more than the lattice asks for) */
+double mus__relax_step(mus_drape *drape, double safety, double least);
 /* before a batch of steps of h [s]: set the rule, and find the pairs of self-contact. Errors: MUS_ERR_MEMORY */
 mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, double h);
 /* `steps` steps of h [s]; relax.mean gets the mean place of the last `averaged` of them (0: nothing is averaged). The

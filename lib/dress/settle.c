@@ -292,7 +292,7 @@ static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settl
                             .push_speed = layers ? LAYER_PUSH_SPEED : 0.0,
                             .deep_rate = layers ? LAYER_DEEP_RATE : 0.0};
     memcpy(rule.gravity, drape->def.gravity, sizeof rule.gravity);
-    const double h = now->h = mus__relax_step(drape, now->safety);
+    const double h = now->h = mus__relax_step(drape, now->safety, 0.0);
     const double most = now->tensors ? CHECK_STEPS_MOST * SAFETY_STEP / now->safety : 1e6;
     const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
     mus_status status = mus__relax_ready(drape, &rule, h);

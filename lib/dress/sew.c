@@ -8,6 +8,9 @@
  * not through worn layers: a weld that leaves cloth through a worn layer is taken back, and the pull goes on to its
  * end.
  *
+ * The inertia of stiff cloth is raised such that a step is as long as contact allows, and the pull with it: panels move
+ * as those of a soft cloth of the same mass do.
+ *
  * Pull on a pair that stands for length L of seam, d apart:  min(k d, p(t) L),  p(t) = p_end min(1, e^{(t - T)/tau}).
  *
  * Order of attempts: coarser cuts first; on a cut round the body, then with straps hung first, then straight.
@@ -31,7 +34,8 @@
 #define CHECK_STEPS 64 /* steps of a batch */
 #define SEW_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
 #define SEW_DRAG 8.0   /* [1/s] the speed of a panel follows its pull */
-#define SEW_SPEED 3.0  /* [m/s] speed limit of a node: a step moves it less than the clearance */
+#define SEW_SPEED 3.0  /* [m/s] speed limit of a node */
+#define SEW_TRAVEL 0.5 /* of the clearance: way of a node at that speed in the step of stiff cloth */
 #define SEW_GRIP 0.5   /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
 #define SEW_ATTACH                                                                                                     \
     0.1 /* of the largest force of attachments: gravity is off, and a tight seam under them must close.                \
@@ -176,8 +180,8 @@ static mus_status sew_batch(mus_drape *drape, const mus__progress *run, double *
     static const mus__relax_rule rule = {.drag = SEW_DRAG, .speed_limit = SEW_SPEED, .grip = SEW_GRIP};
     const double all = drape->def.sew_seconds;
     stiffen(drape, *t, all);
-    const double h = mus__relax_step(drape, SEW_SAFETY);
-    drape->program.seam_pull = pull_at(drape->def.seam_pull, *t, all);
+    const double h = mus__relax_step(drape, SEW_SAFETY, SEW_TRAVEL * drape->def.clearance / SEW_SPEED);
+    drape->program.seam_pull = drape->relax.raised * pull_at(drape->def.seam_pull, *t, all);
     if (!run->sleeved && lateness(*t, all) > PASS_LATE && *open <= fmax(PASS_PAIRS, PASS_SHARE * drape->program.npair))
         let_pass(drape);
     mus_status status = mus__relax_ready(drape, &rule, h);

@@ -133,7 +133,7 @@ static mus_status untangle_ease(mus_drape *drape)
     static const mus__relax_rule rule = {.drag = UNTANGLE_DRAG, .speed_limit = UNTANGLE_SPEED, .grip = 1.0};
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
-    const double h = mus__relax_step(drape, UNTANGLE_SAFETY);
+    const double h = mus__relax_step(drape, UNTANGLE_SAFETY, 0.0);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
     status = mus__relax_run(drape, h, UNTANGLE_STEPS, 0);

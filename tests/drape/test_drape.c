@@ -157,7 +157,7 @@ START_TEST(sewing_moves_no_centre)
     mus_cloth *cloth = scene_cut(context, pattern, 0.01, 0.0);
     mus_drape *drape = scene_drape(context, cloth, 64, 1);
     mus__sim *sim = &drape->sim;
-    const double h = 0.5 * mus__drape_inertia(drape, 1);
+    const double h = 0.5 * mus__drape_inertia(drape, 1, 0.0);
     double before[3], after[3];
     memset(sim->gravity, 0, sizeof sim->gravity);
     sim->drag = 8.0;

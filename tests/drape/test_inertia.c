@@ -72,7 +72,7 @@ START_TEST(tensors_bear_the_stiffness)
         double d[3 * N], fore[3 * N], back[3 * N], to[3 * N], from[3 * N], worst = 0.0;
         ck_assert_int_eq(mus__relax_create(drape), MUS_OK);
         drape->sim.tensor = drape->relax.tensor;
-        mus__relax_step(drape, 1.0);
+        mus__relax_step(drape, 1.0, 0.0);
         mus__drape_tensors(drape);
         for (int i = 0; i < 3 * N; i++) d[i] = support_uniform(&random, -1e-7, 1e-7);
         for (int round = 0; round < 60; round++) {

@@ -100,12 +100,49 @@ START_TEST(a_sewn_tube_hangs_as_a_welded_one)
 END_TEST
 
 
+/* the step of sewing is that of the contact, whatever the fabric; the tube closes in the same way */
+START_TEST(sewing_takes_as_many_steps_in_all_fabrics)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = tube_pattern(context, 0.03);
+    int64_t least = INT64_MAX, most = 0;
+    for (int32_t i = 0; i < mus_fabric_count(); i++) {
+        mus_fabric fabric;
+        mus_cloth_def cut;
+        mus_drape_report report;
+        mus_cloth *cloth;
+        mus_drape *drape;
+        mus_fabric_init(&fabric, sizeof fabric);
+        ck_assert_int_eq(mus_fabric_find(mus_fabric_name(i), &fabric), MUS_OK);
+        mus_cloth_def_init(&cut, sizeof cut);
+        cut.fabric = &fabric;
+        cut.spacing = 0.025;
+        ck_assert_int_eq(mus_cloth_create(context, pattern, &cut, &cloth), MUS_OK);
+        ck_assert_int_eq(mus_drape_create(context, cloth, NULL, NULL, &drape), MUS_OK);
+        ck_assert_int_eq(mus_drape_place(drape), MUS_OK);
+        ck_assert_msg(mus_drape_sew(drape, NULL, NULL) == MUS_OK, "%s", mus_context_error(context));
+        mus_drape_report_init(&report, sizeof report);
+        mus_drape_report_get(drape, &report);
+        least = report.steps < least ? report.steps : least, most = report.steps > most ? report.steps : most;
+        mus_drape_destroy(drape);
+        mus_cloth_destroy(cloth);
+    }
+    printf("sewing a tube in %d fabrics: %lld to %lld steps\n", (int)mus_fabric_count(), (long long)least,
+           (long long)most);
+    ck_assert_int_le(most, 4 * least);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_tube(void)
 {
     Suite *suite = suite_create("tube");
     TCase *tests = tcase_create("tube");
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_sewn_tube_hangs_as_a_welded_one);
+    tcase_add_test(tests, sewing_takes_as_many_steps_in_all_fabrics);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -154,6 +154,12 @@ enum {
     MUS_NOTCH_SINGLE = 1,
     MUS_NOTCH_DOUBLE = 2,
     MUS_NOTCH_TRIPLE = 3,
+    MUS_MATERIAL_MAIN = 0,
+    MUS_MATERIAL_LINING = 1,
+    MUS_MATERIAL_INTERFACING = 2,
+    MUS_MATERIAL_RIB = 3,
+    MUS_MATERIAL_ELASTIC = 4,
+    MUS_MATERIAL_COUNT = 5,
     MUS_SIDE_FRONT = 1,
     MUS_SIDE_BACK = 2,
     MUS_SIDE_LEFT = 4,
@@ -741,6 +747,7 @@ struct mus_sheet_piece {
     double shift[2];
     double box[4];
     int32_t size_index;
+    int32_t materials[8];
 };
 
 struct mus_sheet_line {
@@ -946,6 +953,10 @@ mus_status mus_pattern_add_notch(mus_pattern *pattern, int32_t edge, double s, i
 mus_status mus_pattern_add_mark(mus_pattern *pattern, int32_t panel, const char *name, int32_t n, const double *xy, int32_t *out);
 mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, double x, double y);
 mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
+const char *mus_material_name(int32_t material);
+int32_t mus_material_find(const char *name);
+mus_status mus_pattern_set_material(mus_pattern *pattern, int32_t panel, int32_t material, int32_t count);
+mus_status mus_pattern_set_cut_only(mus_pattern *pattern, const mus_pattern *panels);
 mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
 mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);
@@ -978,6 +989,8 @@ int32_t mus_cut_line_dart_count(const mus_cut_line *line);
 mus_status mus_cut_line_dart(const mus_cut_line *line, int32_t dart, double *out);
 mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, double *out);
 mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
+mus_status mus_pattern_material(const mus_pattern *pattern, int32_t panel, int32_t material, int32_t *count, int32_t *mirrored);
+const mus_pattern *mus_pattern_cut_only(const mus_pattern *pattern);
 mus_status mus_pattern_point(const mus_pattern *pattern, int32_t point, int32_t *panel, double *xy);
 int32_t mus_pattern_edge_panel(const mus_pattern *pattern, int32_t edge);
 mus_status mus_pattern_edge_ends(const mus_pattern *pattern, int32_t edge, int32_t *start, int32_t *end);

@@ -69,7 +69,7 @@ static double cloth_length(const shown *sh)
     double high[PIECES_MOST], wide[PIECES_MOST], shelf[PIECES_MOST], length = 0.0;
     int32_t n = 0, shelves = 0;
     for (int32_t p = 0; p < sh->pieces; p++)
-        for (int32_t c = 0; c < sh->piece[p].copies && n < PIECES_MOST; c++, n++) {
+        for (int32_t c = 0; c < sh->piece[p].materials[MUS_MATERIAL_MAIN] && n < PIECES_MOST; c++, n++) {
             const double *box = sh->piece[p].box, h = box[3] - box[1];
             int32_t at = n;
             for (; at > 0 && high[at - 1] < h; at--) high[at] = high[at - 1], wide[at] = wide[at - 1];
@@ -100,12 +100,27 @@ static mus_status shown_make(const scene *s, int32_t design, shown *out)
         mus_sheet_piece *piece = &out->piece[out->pieces++];
         mus_sheet_piece_init(piece, sizeof *piece);
         status = mus_sheet_piece_get(sheet, p, piece);
-        piece->name = mus_pattern_panel_name(s->pattern, piece->panel); /* lives longer than the sheet */
-        out->area += piece->copies * mus_pattern_panel_area(s->pattern, piece->panel);
+        /* the panels that are cut and not draped follow those of the pattern; names live longer than the sheet */
+        const int32_t own = mus_pattern_panel_count(s->pattern), panel = piece->panel - (piece->panel < own ? 0 : own);
+        const mus_pattern *pattern = piece->panel < own ? s->pattern : mus_pattern_cut_only(s->pattern);
+        piece->name = mus_pattern_panel_name(pattern, panel);
+        out->area += piece->materials[MUS_MATERIAL_MAIN] * mus_pattern_panel_area(pattern, panel);
     }
     mus_sheet_destroy(sheet);
     out->metres = cloth_length(out);
     return status;
+}
+
+
+/* "collar 2 + 1 interfacing", "sleeve_left 2 mirrored" */
+static void shown_piece(const mus_sheet_piece *piece, bool comma)
+{
+    printf("%s %s", comma ? "," : "", piece->name);
+    for (int32_t m = 0, n = 0; m < MUS_MATERIAL_COUNT; m++)
+        if (piece->materials[m] > 0)
+            printf("%s %d%s%s", n++ > 0 ? " +" : "", (int)piece->materials[m], m > 0 ? " " : "",
+                   m > 0 ? mus_material_name(m) : "");
+    printf("%s", piece->mirrored ? " mirrored" : "");
 }
 
 
@@ -124,8 +139,7 @@ static void shown_print(const scene *s, const shown *sh)
             printf(" %s %.1f cm", levels[e], fabs(sh->ease[e]) < 5e-4 ? 0.0 : 100.0 * sh->ease[e]);
     printf("   on %s\n  pieces ", mus_tape_name(s->tape));
     for (int32_t p = 0; p < sh->pieces; p++)
-        printf("%s %s %d%s", p > 0 ? "," : "", sh->piece[p].name, (int)sh->piece[p].copies,
-               sh->piece[p].mirrored ? " mirrored" : "");
+        shown_piece(&sh->piece[p], p > 0);
     printf("\n  cloth   %.2f m2 inside the seams", sh->area);
     if (isfinite(sh->metres))
         printf("; the boxes of all pieces fit on %.2f m of cloth %.2f m wide", sh->metres, CLOTH_WIDE);
@@ -155,6 +169,10 @@ static void shown_json(const scene *s, const shown *sh, json *j)
         json_text(j, "name", sh->piece[p].name);
         json_int(j, "copies", sh->piece[p].copies);
         json_bool(j, "mirrored", sh->piece[p].mirrored != 0);
+        json_open(j, "materials", '{');
+        for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++)
+            if (sh->piece[p].materials[m] > 0) json_int(j, mus_material_name(m), sh->piece[p].materials[m]);
+        json_close(j, '}');
         json_number(j, "width_m", box[2] - box[0]);
         json_number(j, "height_m", box[3] - box[1]);
         json_close(j, '}');

@@ -227,6 +227,35 @@ MUS_API mus_status mus_pattern_set_grain(mus_pattern *pattern, int32_t panel, do
  * of itself or of another image). */
 MUS_API mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t count, int32_t mirror_of);
 
+/* Materials that a panel is cut of. */
+#define MUS_MATERIAL_MAIN 0        /* the cloth of the garment; its pieces are those of mus_pattern_set_cut() */
+#define MUS_MATERIAL_LINING 1      /* lining or pocketing */
+#define MUS_MATERIAL_INTERFACING 2 /* fused or sewn to the wrong side of a piece */
+#define MUS_MATERIAL_RIB 3         /* ribbed knit */
+#define MUS_MATERIAL_ELASTIC 4     /* elastic tape */
+#define MUS_MATERIAL_COUNT 5
+
+/** Name of a material MUS_MATERIAL_* ("interfacing"); NULL outside the range. */
+MUS_API const char *mus_material_name(int32_t material);
+
+/** The material MUS_MATERIAL_* of a name; MUS_NONE without one. */
+MUS_API int32_t mus_material_find(const char *name);
+
+/** Set how many pieces of a panel are cut of a material, in all, with those of its mirror image (0 to 1000). A panel
+ * starts with one of the main cloth. The number is written on the paper; a drape does not read it. Errors: MUS_ERR_ARG.
+ */
+MUS_API mus_status mus_pattern_set_material(mus_pattern *pattern, int32_t panel, int32_t material, int32_t count);
+
+/**
+ * Give a pattern the panels that are cut and sewn but not draped: facings, a neckband, pocket bags, elastic.
+ *
+ * `panels` is a pattern of its own and is copied; NULL takes them away. A sheet prints them after the panels of the
+ * pattern. They follow a copy, a file of mus_pattern_write() and mus_pattern_join(); an edit of the pattern leaves them
+ * as they are, and a pattern that is graded has none.
+ * Errors:  MUS_ERR_ARG (pattern NULL, `panels` is the pattern itself), MUS_ERR_MEMORY; the pattern is as it was then
+ */
+MUS_API mus_status mus_pattern_set_cut_only(mus_pattern *pattern, const mus_pattern *panels);
+
 /** Set the label of a panel: its part in the garment ("body", "arm", "leg", "collar", free text). mus_arrange_pattern()
  * puts an "arm" round an arm, a "neck", "collar" or "hood" round the neck, and all else round the trunk. Errors:
  * MUS_ERR_ARG. */
@@ -396,6 +425,15 @@ MUS_API mus_status mus_pattern_grain(const mus_pattern *pattern, int32_t panel, 
 /** How many pieces of a panel are cut, and the panel whose mirror image it is or MUS_NONE. Any out may be NULL. Errors:
  * MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *count, int32_t *mirror_of);
+
+/** How many pieces of a panel are cut of a material; *mirrored is 1 when half of them are cut turned over, because
+ * another panel is the mirror image, else 0. Any out may be NULL. Errors: MUS_ERR_ARG. */
+MUS_API mus_status mus_pattern_material(const mus_pattern *pattern, int32_t panel, int32_t material, int32_t *count,
+                                        int32_t *mirrored);
+
+/** The panels that are cut and not draped (mus_pattern_set_cut_only()); NULL without any. Borrowed until the pattern is
+ * changed or destroyed. */
+MUS_API const mus_pattern *mus_pattern_cut_only(const mus_pattern *pattern);
 
 /** Panel and place xy (2) [m] of a point. Any out may be NULL. Errors: MUS_ERR_ARG. */
 MUS_API mus_status mus_pattern_point(const mus_pattern *pattern, int32_t point, int32_t *panel, double *xy);

@@ -41,7 +41,8 @@ MUS_API void mus_sheet_def_init(mus_sheet_def *def, size_t size);
 /** The pieces of a pattern on paper. */
 typedef struct mus_sheet mus_sheet;
 
-/** Lay out a pattern on paper. The pattern is read during the call and not kept; def NULL takes the defaults. Errors:
+/** Lay out a pattern on paper, and after its panels those that are cut and not draped (mus_pattern_cut_only()). The
+ * pattern is read during the call and not kept; def NULL takes the defaults. Errors:
  * MUS_ERR_ARG (value out of range, margins leave too little of the paper), MUS_ERR_PATTERN (a fault of the pattern),
  * MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_VERSION, MUS_ERR_MEMORY */
 MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def,
@@ -79,9 +80,9 @@ MUS_API mus_status mus_sheet_page(const mus_sheet *sheet, int32_t page, double *
 /** A panel as it lies on the sheet. */
 typedef struct mus_sheet_piece {
     size_t size;
-    int32_t panel;    /* index in the pattern */
+    int32_t panel;    /* index in the pattern; those of mus_pattern_cut_only() follow its own panels */
     const char *name; /* of the panel; borrowed until the sheet is destroyed */
-    int32_t copies;   /* number of copies to cut */
+    int32_t copies;   /* number of copies to cut of the main cloth; without any, of the first material that has some */
     int32_t mirrored; /* nonzero: half of the copies are cut turned over */
     int32_t fold;     /* nonzero: the half of a symmetric panel. 1: it lies right of the fold line, which is at box[0];
                        * -1: left, at box[2] */
@@ -89,6 +90,7 @@ typedef struct mus_sheet_piece {
     double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; grain upright, right side up */
     double box[4];    /* of the cut line: low x, low y, high x, high y [m] */
     int32_t size_index; /* of the size that the piece is of; 0 on a sheet of one size */
+    int32_t materials[8]; /* number of copies to cut of each MUS_MATERIAL_*; 0 beyond the last */
 } mus_sheet_piece;
 
 /** Zero `piece` and write its size. */
@@ -113,7 +115,8 @@ typedef struct mus_sheet_line {
     size_t size;
     int32_t piece;        /* index of the piece that the line belongs to; MUS_NONE: test squares and instructions */
     int32_t kind;         /* MUS_LINE_* */
-    int32_t edge;         /* edge of the pattern, for a sew line and a notch; else MUS_NONE */
+    int32_t edge;         /* edge of the pattern, for a sew line and a notch; else MUS_NONE. Those of
+                           * mus_pattern_cut_only() follow its own edges */
     int32_t filled;       /* nonzero: a filled area (arrow heads); 0: a stroke */
     int32_t op_count;     /* number of steps */
     int32_t point_count;  /* number of points of all steps */

@@ -169,13 +169,23 @@ void mus__board_side_remove(mus__board *board, int32_t side)
 }
 
 
+void mus__board_add_cut(mus__board *board, int32_t panel, const int32_t *cut, int32_t sign)
+{
+    int32_t *own = board->panel[panel].attr.cut, all = 0;
+    for (int32_t i = 0; i < MUS_MATERIAL_COUNT; i++) {
+        own[i] = own[i] + sign * cut[i] > 0 ? own[i] + sign * cut[i] : 0;
+        all += own[i];
+    }
+    if (all == 0 && sign < 0) own[MUS_MATERIAL_MAIN] = 1;
+}
+
+
 void mus__board_part_twins(mus__board *board, int32_t panel)
 {
     for (int32_t i = 0; i < board->npanel; i++) {
         const int32_t of = board->panel[i].mirror_of;
         if (of == MUS_NONE || (i != panel && of != panel)) continue;
         board->panel[i].mirror_of = MUS_NONE;
-        board->panel[of].attr.cut_count -= board->panel[i].attr.cut_count;
-        if (board->panel[of].attr.cut_count < 1) board->panel[of].attr.cut_count = 1;
+        mus__board_add_cut(board, of, board->panel[i].attr.cut, -1);
     }
 }

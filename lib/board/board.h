@@ -43,6 +43,9 @@ void mus__board_free_name(const mus__board *board, int32_t panel, const char *na
 void mus__board_side_remove(mus__board *board, int32_t side);
 /* a panel is about to change its shape: it is no longer the mirror image of another panel, nor another of it */
 void mus__board_part_twins(mus__board *board, int32_t panel);
+/* Adds the pieces of each material, cut (MUS_MATERIAL_COUNT), to those of a panel (sign 1), or takes them off (-1); of
+ * a panel without pieces one of the main cloth stays. */
+void mus__board_add_cut(mus__board *board, int32_t panel, const int32_t *cut, int32_t sign);
 
 /* ---- board_draw.c ---- */
 

@@ -205,7 +205,7 @@ static void double_twins(mus__board *board, int32_t panel, int32_t twin)
 {
     if (board->panel[panel].mirror_of != MUS_NONE) return;
     board->panel[twin].mirror_of = panel;
-    board->panel[panel].attr.cut_count += board->panel[twin].attr.cut_count;
+    mus__board_add_cut(board, panel, board->panel[twin].attr.cut, 1);
 }
 
 

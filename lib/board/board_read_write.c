@@ -289,7 +289,10 @@ static mus_status board_write_rest(board_writer *w)
     for (int32_t i = 0; i < board->npanel && status == MUS_OK; i++) {
         const mus__board_panel *from = &board->panel[i];
         const int32_t of = from->mirror_of != MUS_NONE ? w->panel[from->mirror_of] : MUS_NONE;
-        if (w->panel[i] != MUS_NONE) status = mus_pattern_set_cut(w->pattern, w->panel[i], from->attr.cut_count, of);
+        if (w->panel[i] == MUS_NONE) continue;
+        status = mus_pattern_set_cut(w->pattern, w->panel[i], from->attr.cut[MUS_MATERIAL_MAIN], of);
+        for (int32_t k = 1; k < MUS_MATERIAL_COUNT && status == MUS_OK; k++)
+            status = mus_pattern_set_material(w->pattern, w->panel[i], k, from->attr.cut[k]);
     }
     for (int32_t i = 0; i < board->nseam && status == MUS_OK; i++)
         if (board->seam[i].a != MUS_NONE) status = board_write_seam(w, &board->seam[i]);

@@ -208,9 +208,14 @@ static void dxf_texts(const dxf_block *b, int32_t size)
     mus__dxf_label(b->bytes, 1, at, "Size", mus__dxf_size_name(b->dxf, size));
     if (size > 0) return;
     /* right and left: copies as drawn, copies turned over */
-    const int32_t left = piece->mirrored ? piece->copies / 2 : 0;
-    snprintf(count, sizeof count, "%d,%d", (int)(piece->copies - left), (int)left);
+    const int32_t copies = mus__piece_copies(piece), left = piece->mirrored ? copies / 2 : 0;
+    snprintf(count, sizeof count, "%d,%d", (int)(copies - left), (int)left);
     mus__dxf_label(b->bytes, 1, at, "Quantity", count);
+    for (int32_t i = 1; i < MUS_MATERIAL_COUNT; i++)
+        if (piece->copies[i] > 0) {
+            snprintf(count, sizeof count, "%s %d", mus_material_name(i), (int)piece->copies[i]);
+            mus__dxf_label(b->bytes, 1, at, "Material", count);
+        }
     if (b->sheet->labels[b->index][0] != '\0')
         mus__dxf_label(b->bytes, 1, at, "Category", b->sheet->labels[b->index]);
     mus__dxf_label(b->bytes, 15, at, NULL, b->sheet->names[b->index]);

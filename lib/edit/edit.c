@@ -261,6 +261,7 @@ mus_status mus__edit_end(mus__editing *e, int32_t n, const int32_t *sides, int32
     mus_pattern *written;
     mus__board_write(&e->board, &written);
     mus_status status = written != NULL ? edit_watch(e, written) : e->board.status;
+    if (status == MUS_OK) status = mus_pattern_set_cut_only(written, e->pattern->cut_only);
     if (status != MUS_OK) {
         mus_pattern_destroy(written);
         edit_free(e);

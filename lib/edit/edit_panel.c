@@ -177,7 +177,7 @@ static void edit_strip(mus__editing *e, int32_t side, double width, const char *
     const int32_t inner = board->side[from].prev;
     mus__board_rename(board, inner, NULL, board->side[side].attr.label);
     mus__board_remove_panel(board, rest);
-    board->panel[made].attr.cut_count = 1;
+    board->panel[made].attr.cut[MUS_MATERIAL_MAIN] = 1;
 }
 
 

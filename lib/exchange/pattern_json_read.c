@@ -155,6 +155,25 @@ static mus_status read_outline(const mus__json_at *at, mus_pattern *pattern, int
 }
 
 
+/* read the pieces of materials beside the main cloth: {"interfacing": 1}; optional */
+static mus_status read_materials(const mus__json_at *at, mus_pattern *pattern, int32_t panel)
+{
+    mus__json_at materials = mus__json_member(at, "materials");
+    if (materials.json == NULL) return MUS_OK;
+    mus_status status = mus__json_expect(&materials, JSON_OBJECT);
+    for (int32_t i = MUS_MATERIAL_MAIN + 1; i < MUS_MATERIAL_COUNT && status == MUS_OK; i++) {
+        int32_t count;
+        mus__json_at member = mus__json_member(&materials, mus_material_name(i));
+        if (member.json == NULL) continue;
+        status = mus__json_integer(&member, 0, INT32_MAX, &count);
+        if (status != MUS_OK) return status;
+        status = mus_pattern_set_material(pattern, panel, i, count);
+        if (status != MUS_OK) status = mus__json_wrap(&member, status);
+    }
+    return status;
+}
+
+
 /* read the members of panels that refer to edges and to other panels */
 static mus_status read_making(const mus__json_at *root, mus_pattern *pattern)
 {
@@ -171,6 +190,7 @@ static mus_status read_making(const mus__json_at *root, mus_pattern *pattern)
             status = mus_pattern_set_cut(pattern, i, cut, mirror_of);
             if (status != MUS_OK) status = mus__json_wrap(&at, status);
         }
+        if (status == MUS_OK) status = read_materials(&at, pattern, i);
         member = mus__json_member(&at, "layer");
         int32_t layer = 0;
         if (status == MUS_OK && member.json != NULL)
@@ -430,6 +450,45 @@ static mus_status read_opening(const mus__json_at *at, mus_pattern *pattern)
 }
 
 
+/* cells first, then the members that refer to them */
+static mus_status read_members(const mus__json_at *root, mus_pattern *pattern)
+{
+    mus_status status = read_list(root, "panels", read_panel, pattern);
+    if (status == MUS_OK) status = read_list(root, "points", read_point, pattern);
+    if (status == MUS_OK) status = read_list(root, "edges", read_edge, pattern);
+    if (status == MUS_OK) status = read_making(root, pattern);
+    if (status == MUS_OK) status = read_list(root, "seams", read_seam, pattern);
+    if (status == MUS_OK) status = read_list(root, "notches", read_notch, pattern);
+    if (status == MUS_OK) status = read_list(root, "marks", read_mark, pattern);
+    if (status == MUS_OK && mus__json_member(root, "openings").json != NULL)
+        status = read_list(root, "openings", read_opening, pattern);
+    return status;
+}
+
+
+/* read the panels that are cut and not draped: an object with the members of a pattern; optional */
+static mus_status read_cut_only(const mus__json_at *root, mus_pattern *pattern)
+{
+    const mus__json_at own = mus__json_member(root, "cut_only");
+    if (own.json == NULL) return MUS_OK;
+    const char *name;
+    mus_pattern *panels;
+    const mus__json_at title = mus__json_member(&own, "name");
+    mus_status status = mus__json_expect(&own, JSON_OBJECT);
+    if (status == MUS_OK) status = mus__json_text(&title, &name);
+    if (status != MUS_OK) return status;
+    status = mus_pattern_create(mus_pattern_context(pattern), name, &panels);
+    if (status != MUS_OK) return mus__json_wrap(&title, status);
+    status = read_members(&own, panels);
+    if (status == MUS_OK) {
+        status = mus_pattern_set_cut_only(pattern, panels);
+        if (status != MUS_OK) status = mus__json_wrap(&own, status);
+    }
+    mus_pattern_destroy(panels);
+    return status;
+}
+
+
 mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern)
 {
     /* the head: format, unit, name */
@@ -445,16 +504,6 @@ mus_status mus__pattern_read_json(const mus__json_at *root, mus_pattern *pattern
     if (status != MUS_OK) return status;
     status = mus_pattern_set_name(pattern, name);
     if (status != MUS_OK) return mus__json_wrap(&title, status);
-
-    /* cells first, then the members that refer to them */
-    status = read_list(root, "panels", read_panel, pattern);
-    if (status == MUS_OK) status = read_list(root, "points", read_point, pattern);
-    if (status == MUS_OK) status = read_list(root, "edges", read_edge, pattern);
-    if (status == MUS_OK) status = read_making(root, pattern);
-    if (status == MUS_OK) status = read_list(root, "seams", read_seam, pattern);
-    if (status == MUS_OK) status = read_list(root, "notches", read_notch, pattern);
-    if (status == MUS_OK) status = read_list(root, "marks", read_mark, pattern);
-    if (status == MUS_OK && mus__json_member(root, "openings").json != NULL)
-        status = read_list(root, "openings", read_opening, pattern);
-    return status;
+    status = read_members(root, pattern);
+    return status == MUS_OK ? read_cut_only(root, pattern) : status;
 }

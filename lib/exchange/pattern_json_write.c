@@ -50,6 +50,22 @@ static void put_sides(mus__sink *sink, const mus_pattern *pattern, int32_t panel
 }
 
 
+/* write the pieces of materials beside the main cloth, where there are any */
+static mus_status put_materials(mus__sink *sink, const mus_pattern *pattern, int32_t panel)
+{
+    mus_status status = MUS_OK;
+    int32_t n = 0;
+    for (int32_t i = MUS_MATERIAL_MAIN + 1; i < MUS_MATERIAL_COUNT && status == MUS_OK; i++) {
+        int32_t count;
+        status = mus_pattern_material(pattern, panel, i, &count, NULL);
+        if (status != MUS_OK || count == 0) continue;
+        mus__sink_print(sink, "%s\"%s\": %d", n++ == 0 ? ", \"materials\": {" : ", ", mus_material_name(i), (int)count);
+    }
+    if (n > 0) mus__sink_print(sink, "}");
+    return status;
+}
+
+
 static void put_item(mus__sink *sink, int32_t index)
 {
     mus__sink_print(sink, index == 0 ? "\n  " : ",\n  ");
@@ -76,6 +92,7 @@ static mus_status put_panel(mus__sink *sink, const mus_pattern *pattern, int32_t
     mus__sink_print(sink, ", \"grain\": ");
     put_numbers(sink, 2, grain);
     mus__sink_print(sink, ", \"cut\": %d", (int)count);
+    status = put_materials(sink, pattern, panel);
     if (mirror_of >= 0) mus__sink_print(sink, ", \"mirror_of\": %d", (int)mirror_of);
     if (mus_pattern_layer(pattern, panel) > 0)
         mus__sink_print(sink, ", \"layer\": %d", (int)mus_pattern_layer(pattern, panel));
@@ -95,7 +112,7 @@ static mus_status put_panel(mus__sink *sink, const mus_pattern *pattern, int32_t
     for (int32_t i = 0; i < n; i++)
         mus__sink_print(sink, "%s[%d, %d]", i == 0 ? "" : ", ", (int)edges[i], (int)directions[i]);
     mus__sink_print(sink, "]}");
-    return MUS_OK;
+    return status;
 }
 
 
@@ -275,6 +292,15 @@ static mus_status put_marks(mus__sink *sink, const mus_pattern *pattern)
 }
 
 
+/* write all of a pattern but its name and the panels that are cut and not draped */
+static mus_status put_members(mus__sink *sink, const mus_pattern *pattern)
+{
+    mus_status status = put_cells(sink, pattern);
+    if (status == MUS_OK) status = put_seams(sink, pattern);
+    return status == MUS_OK ? put_marks(sink, pattern) : status;
+}
+
+
 static mus_status pattern_save(const mus_pattern *pattern, const mus__target *target, const char *what)
 {
     if (pattern == NULL) return MUS_ERR_ARG;
@@ -289,9 +315,14 @@ static mus_status pattern_save(const mus_pattern *pattern, const mus__target *ta
     mus__sink_init(&sink, context);
     mus__sink_print(&sink, "{\"muslin_pattern\": 1,\n \"unit\": \"m\",\n \"name\": ");
     mus__sink_quote(&sink, mus_pattern_name(pattern));
-    status = put_cells(&sink, pattern);
-    if (status == MUS_OK) status = put_seams(&sink, pattern);
-    if (status == MUS_OK) status = put_marks(&sink, pattern);
+    status = put_members(&sink, pattern);
+    const mus_pattern *cut_only = mus_pattern_cut_only(pattern);
+    if (status == MUS_OK && cut_only != NULL) {
+        mus__sink_print(&sink, ",\n \"cut_only\": {\"name\": ");
+        mus__sink_quote(&sink, mus_pattern_name(cut_only));
+        status = put_members(&sink, cut_only);
+        mus__sink_print(&sink, "}");
+    }
     mus__sink_print(&sink, "\n}\n");
     if (status == MUS_OK) status = mus__sink_give(&sink, target);
     mus__sink_free(&sink);

@@ -42,6 +42,15 @@ void mus__half_darts(mus__half *half, int32_t panel)
 }
 
 
+void mus__half_cut(mus__half *half, int32_t panel, int32_t main, int32_t material, int32_t count)
+{
+    if (half->board.status != MUS_OK || panel == MUS_NONE) return;
+    int32_t *cut = half->board.panel[panel].attr.cut;
+    cut[MUS_MATERIAL_MAIN] = main;
+    cut[material] = count;
+}
+
+
 int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, const char *label, double allowance,
                         const mus__chain *chain)
 {

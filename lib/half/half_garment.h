@@ -65,6 +65,10 @@ void mus__half_sew(mus__half *half, int32_t panel_a, const char *a, int32_t pane
 /* Sews the legs of the darts "d1" "d2" and "d3" "d4" of a panel. */
 void mus__half_darts(mus__half *half, int32_t panel);
 
+/* Sets how many pieces of a panel of the half are cut: of the main cloth, of interfacing, lining or rib (material
+ * MUS_MATERIAL_*). Doubling the half doubles both where the panel gets a mirror image. */
+void mus__half_cut(mus__half *half, int32_t panel, int32_t main, int32_t material, int32_t count);
+
 /* Adds a half-edge at the end of the last one of the panel; returns it. label NULL: none. */
 int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, const char *label, double allowance,
                         const mus__chain *chain);

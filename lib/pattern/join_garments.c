@@ -109,6 +109,10 @@ mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int3
         return other->context == pattern->context ? status : mus__fail(pattern->context, status, "%s", text);
     }
     status = layer_room(pattern, more);
+    if (status == MUS_OK && more->cut_only != NULL) {
+        status = pattern->cut_only != NULL ? mus_pattern_join(pattern->cut_only, more->cut_only, layer)
+                                           : mus_pattern_set_cut_only(pattern, more->cut_only);
+    }
     if (status == MUS_OK) {
         layer_move(pattern, more, layer);
         pattern->nopening = 0;

@@ -1,6 +1,6 @@
 /*
  * panel_attributes.c: what is said of a panel: its label, sides, grain, cut and layer, and where it stands before
- * sewing.
+ * sewing. cut_pieces.c says of which materials it is cut.
  */
 #include <math.h>
 #include <string.h>
@@ -141,15 +141,15 @@ mus_status mus_pattern_set_cut(mus_pattern *pattern, int32_t panel, int32_t coun
     if (status != MUS_OK) return status;
 
     mus__panel *own = &pattern->panel[panel];
-    if (count < 0 || count > 1000)
-        return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to 1000", own->name,
-                         (int)count);
+    if (count < 0 || count > MUS__CUT_MOST)
+        return mus__fail(context, MUS_ERR_ARG, "panel %s: %d pieces to cut is outside 0 to %d", own->name, (int)count,
+                         MUS__CUT_MOST);
 
     /* an image of an image would leave both unprinted */
     if (mirror_of == panel || (mirror_of != MUS_NONE && pattern->panel[mirror_of].mirror_of != MUS_NONE))
         return mus__fail(context, MUS_ERR_ARG, "panel %s: it cannot mirror panel %s, which %s", own->name,
                          pattern->panel[mirror_of].name, mirror_of == panel ? "is itself" : "mirrors another");
-    own->attr.cut_count = count;
+    own->attr.cut[MUS_MATERIAL_MAIN] = count;
     own->mirror_of = mirror_of;
     mus__pattern_edited(pattern);
     return MUS_OK;
@@ -163,7 +163,7 @@ mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *c
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
     if (status != MUS_OK) return status;
-    if (count != NULL) *count = pattern->panel[panel].attr.cut_count;
+    if (count != NULL) *count = pattern->panel[panel].attr.cut[MUS_MATERIAL_MAIN];
     if (mirror_of != NULL) *mirror_of = pattern->panel[panel].mirror_of;
     return MUS_OK;
 }
@@ -171,7 +171,7 @@ mus_status mus_pattern_cut(const mus_pattern *pattern, int32_t panel, int32_t *c
 
 void mus__panel_attributes_init(mus__panel_attributes *attr)
 {
-    *attr = (mus__panel_attributes){.cut_count = 1, .sides = MUS_NONE, .grain = {0.0, 1.0}};
+    *attr = (mus__panel_attributes){.cut = {[MUS_MATERIAL_MAIN] = 1}, .sides = MUS_NONE, .grain = {0.0, 1.0}};
     mus_placement_init(&attr->placement, sizeof attr->placement);
 }
 

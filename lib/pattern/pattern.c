@@ -7,6 +7,7 @@
  *   edge_attributes.c, panel_attributes.c  what is said of an edge and of a panel
  *   seam.c                 seams, closures, declared openings
  *   notches_marks.c        notches and marks
+ *   cut_pieces.c           materials that a panel is cut of
  *   join_garments.c        garments over one another as one pattern
  *   edge_measure.c, cut_outline.c, outline_crossing.c  lengths and areas; what is cut; an outline that crosses itself
  *
@@ -122,6 +123,7 @@ void mus_pattern_destroy(mus_pattern *pattern)
     if (pattern == NULL) return;
     mus_context *context = pattern->context;
     mus__history_end(pattern);
+    mus_pattern_destroy(pattern->cut_only);
     for (int32_t i = 0; i < pattern->npanel; i++) mus__free(context, pattern->panel[i].outline);
     for (int32_t i = 0; i < pattern->nedge; i++) mus__free(context, pattern->edge[i].xy);
     for (int32_t i = 0; i < pattern->nmark; i++) mus__free(context, pattern->mark[i].xy);
@@ -223,7 +225,7 @@ mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out)
         pattern_copy_array(context, p->mark, p->nmark, sizeof *p->mark, &copy->mark, &copy->mark_room) != MUS_OK ||
         pattern_copy_array(context, p->opening, p->nopening, sizeof *p->opening, &copy->opening, &copy->opening_room) !=
             MUS_OK ||
-        pattern_copy_blocks(pattern, copy) != MUS_OK) {
+        pattern_copy_blocks(pattern, copy) != MUS_OK || mus_pattern_set_cut_only(copy, p->cut_only) != MUS_OK) {
         mus_pattern_destroy(copy);
         return mus__fail_memory(context, "the copy of a pattern");
     }
@@ -233,6 +235,33 @@ mus_status mus_pattern_copy(const mus_pattern *pattern, mus_pattern **out)
     copy->nopening = p->nopening;
     *out = copy;
     return MUS_OK;
+}
+
+
+/* a facing or an elastic would be one more sheet of cloth in the mesh, and changes no shape that the eye sees: such
+ * panels stand in a pattern of their own beside the garment's */
+mus_status mus_pattern_set_cut_only(mus_pattern *pattern, const mus_pattern *panels)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    if (panels == pattern) return mus__fail(pattern->context, MUS_ERR_ARG, "cut-only panels: the pattern itself");
+    mus_pattern *copy = NULL;
+    if (panels != NULL) {
+        const mus_status status = mus_pattern_copy(panels, &copy);
+        if (status != MUS_OK)
+            return pattern->context == panels->context ? status : mus__fail_memory(pattern->context, "cut-only panels");
+        mus_pattern_destroy(copy->cut_only);
+        copy->cut_only = NULL;
+    }
+    mus_pattern_destroy(pattern->cut_only);
+    pattern->cut_only = copy;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
+const mus_pattern *mus_pattern_cut_only(const mus_pattern *pattern)
+{
+    return pattern != NULL ? pattern->cut_only : NULL;
 }
 
 

@@ -16,11 +16,13 @@
 #include "muslin/pattern.h"
 
 #define MUS__NAME_BYTES 128 /* names are 127 bytes and their end */
+#define MUS__CUT_MOST 1000  /* most pieces of a panel of one material; chosen: more are an error of the file */
 
 /* what is said of a panel, here and on the cutting table (lib/board): copied as one */
 typedef struct mus__panel_attributes {
     char label[MUS__NAME_BYTES];
-    int32_t cut_count, layer;
+    int32_t cut[MUS_MATERIAL_COUNT]; /* pieces of each material, with those of mirror images */
+    int32_t layer;
     int32_t sides;   /* MUS_SIDE_* together; MUS_NONE: those that the name tells */
     double grain[2]; /* unit vector along the warp */
     mus_placement placement;
@@ -97,6 +99,7 @@ struct mus_pattern {
     /* panels by name, of a pattern of many: an open hash table of the first nnamed panels, MUS_NONE where it is free */
     int32_t *named;
     int32_t nnamed, named_room;
+    mus_pattern *cut_only; /* panels that are cut and not draped, a pattern without such panels; NULL: none */
     mus__history *history; /* what it was before edits, NULL unless it is kept */
 };
 

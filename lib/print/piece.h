@@ -31,7 +31,7 @@ typedef struct mus__side {
 
 typedef struct mus__piece {
     int32_t panel;
-    int32_t copies;   /* number of copies to cut */
+    int32_t copies[MUS_MATERIAL_COUNT]; /* number of copies to cut of each material */
     bool mirrored;    /* half of the copies are cut turned over */
     bool fold;        /* the half of a symmetric piece, to be laid on the fold of the cloth */
     double axis;      /* x of the fold line, of a half [m] */
@@ -54,7 +54,9 @@ typedef struct mus__piece {
  * without their own; the caller zeroes `piece` before and frees it afterwards */
 mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
                            mus__piece *piece);
-/* write how a piece is cut: "Cut 2 mirrored", "Cut 1 on fold" */
+/* number of copies to cut of the main cloth; of a piece without any, of the first material that it is cut of */
+int32_t mus__piece_copies(const mus__piece *piece);
+/* write how a piece is cut: "Cut 2 mirrored", "Cut 1 on fold", "Cut 2 + 1 interfacing", "Cut 1 rib" */
 void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size);
 void mus__piece_free(mus_context *context, mus__piece *piece);
 void mus__piece_box(mus__piece *piece);

@@ -352,14 +352,14 @@ static mus_status piece_cut(mus_context *context, const mus_pattern *pattern, do
 }
 
 
-static void piece_copies(const mus_pattern *pattern, mus__piece *piece)
+static mus_status piece_read_copies(const mus_pattern *pattern, mus__piece *piece)
 {
-    int32_t count = 1, other, mirror, mirrors = 0;
-    mus_pattern_cut(pattern, piece->panel, &count, &mirror);
-    for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++)
-        if (mus_pattern_cut(pattern, i, &other, &mirror) == MUS_OK && mirror == piece->panel) mirrors++;
-    piece->mirrored = mirrors > 0;
-    piece->copies = count > 1 + mirrors ? count : 1 + mirrors;
+    mus_status status = MUS_OK;
+    int32_t mirrored = 0;
+    for (int32_t i = 0; i < MUS_MATERIAL_COUNT && status == MUS_OK; i++)
+        status = mus_pattern_material(pattern, piece->panel, i, &piece->copies[i], &mirrored);
+    piece->mirrored = mirrored != 0;
+    return status;
 }
 
 
@@ -377,9 +377,23 @@ void mus__piece_box(mus__piece *piece)
 }
 
 
+int32_t mus__piece_copies(const mus__piece *piece)
+{
+    int32_t first = 0;
+    while (first < MUS_MATERIAL_COUNT - 1 && piece->copies[first] == 0) first++;
+    return piece->copies[first];
+}
+
+
 void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size)
 {
-    snprintf(out, size, "Cut %d%s", piece->copies, piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
+    size_t at = 0;
+    for (int32_t i = 0; i < MUS_MATERIAL_COUNT && at < size; i++)
+        if (piece->copies[i] > 0)
+            at += (size_t)snprintf(out + at, size - at, "%s%d%s%s", at == 0 ? "Cut " : " + ", (int)piece->copies[i],
+                                   i > 0 ? " " : "", i > 0 ? mus_material_name(i) : "");
+    if (at == 0) at = (size_t)snprintf(out, size, "Cut 0");
+    if (at < size) snprintf(out + at, size - at, "%s", piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
 }
 
 
@@ -409,9 +423,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     if (status == MUS_OK) status = piece_flatten(context, piece);
     if (status == MUS_OK) status = piece_turn(pattern, piece);
     if (status == MUS_OK) status = piece_cut(context, pattern, allowance, piece);
-    if (status != MUS_OK) return status;
-
-    piece_copies(pattern, piece);
-    mus__piece_box(piece);
-    return MUS_OK;
+    if (status == MUS_OK) status = piece_read_copies(pattern, piece);
+    if (status == MUS_OK) mus__piece_box(piece);
+    return status;
 }

@@ -280,6 +280,18 @@ static mus_status sheet_sizes_check(mus_context *context, int32_t count, const m
 }
 
 
+/* a copy of the pattern with the panels that are cut and not draped behind its own; *out is NULL when there are none */
+static mus_status sheet_join(mus_context *context, const mus_pattern *pattern, mus_pattern **out)
+{
+    *out = NULL;
+    if (mus_pattern_cut_only(pattern) == NULL) return MUS_OK;
+    mus_status status = mus_pattern_copy(pattern, out);
+    if (status == MUS_OK) status = mus_pattern_join(*out, mus_pattern_cut_only(pattern), 0);
+    if (status == MUS_OK) return MUS_OK;
+    return mus__file_fail(context, status, "%s", mus_context_error(mus_pattern_context(pattern)));
+}
+
+
 static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *const *patterns, const char *const *names)
 {
     mus_context *context = sheet->context;
@@ -334,12 +346,31 @@ static mus_status sheet_create(mus_context *context, int32_t count, const mus_pa
 }
 
 
+/* lay out the panels of each pattern and those that are cut and not draped; names (count), or NULL of one size */
+static mus_status sheet_create_joined(mus_context *context, int32_t count, const mus_pattern *const *patterns,
+                                      const char *const *names, const mus_sheet_def *def, mus_sheet **out)
+{
+    mus_pattern *joined[MUS__SIZES_MOST];
+    const mus_pattern *all[MUS__SIZES_MOST] = {NULL};
+    mus_status status = MUS_OK;
+    int32_t made = 0;
+    for (; made < count && status == MUS_OK; made++) {
+        status = sheet_join(context, patterns[made], &joined[made]);
+        all[made] = joined[made] != NULL ? joined[made] : patterns[made];
+    }
+    if (status == MUS_OK && names != NULL) status = sheet_sizes_check(context, count, all, names);
+    if (status == MUS_OK) status = sheet_create(context, count, all, names, def, out);
+    while (made > 0) mus_pattern_destroy(joined[--made]);
+    return status;
+}
+
+
 mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def, mus_sheet **out)
 {
     if (out != NULL) *out = NULL;
     if (context == NULL || pattern == NULL || out == NULL)
         return mus_context_fail(context, MUS_ERR_ARG, "mus_sheet_create: context, pattern or out is NULL");
-    return sheet_create(context, 1, &pattern, NULL, def, out);
+    return sheet_create_joined(context, 1, &pattern, NULL, def, out);
 }
 
 
@@ -356,8 +387,7 @@ mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, const mus
     for (int32_t k = 0; k < count; k++)
         if (patterns[k] == NULL)
             return mus__file_fail(context, MUS_ERR_ARG, "mus_sheet_create_sizes: pattern %d is NULL", (int)k);
-    const mus_status status = sheet_sizes_check(context, count, patterns, names);
-    return status == MUS_OK ? sheet_create(context, count, patterns, names, def, out) : status;
+    return sheet_create_joined(context, count, patterns, names, def, out);
 }
 
 

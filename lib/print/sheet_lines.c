@@ -58,7 +58,8 @@ mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mus_sheet_
     const mus__piece *own = &sheet->pieces[piece];
     out->panel = own->panel;
     out->name = sheet->names[piece];
-    out->copies = own->copies;
+    out->copies = mus__piece_copies(own);
+    memcpy(out->materials, own->copies, sizeof own->copies);
     out->mirrored = own->mirrored;
     out->fold = !own->fold ? 0 : own->inward > 0.0 ? 1 : -1;
     out->size_index = piece % sheet->nsize;

@@ -5,6 +5,8 @@
  * The bottom edge has the length of half the neckline, centre back to centre front, over all its panels. The collar is
  * cut on the fold behind, or in front when the garment opens behind. Its other ends are free, except those of the
  * turtleneck, which are sewn to a ring. The free edge of the collar is then the neck opening, with the label "neck".
+ * Stand and leaf are cut twice, an outer and an inner layer, and once of interfacing. A turtleneck is cut once, of rib
+ * when the garment is a knit, and turned in along its free edge: the allowance there is the inner layer.
  */
 #include <math.h>
 #include <string.h>
@@ -58,6 +60,7 @@ static int32_t collar_band(mus__half *half, const char *name, const mus__chain *
         board->side[sides[3]].centre = MUS__CENTRE_FOLD;
         board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
     }
+    mus__half_cut(half, panel, 2, MUS_MATERIAL_INTERFACING, 1);
     return panel;
 }
 
@@ -131,6 +134,10 @@ static void collar_turtleneck(mus__half *half, mus__neck *neck)
     const int32_t panel = collar_band(half, "collar", &bottom, &top, !neck->front_open, sides);
     if (board->status != MUS_OK) return;
     board->side[sides[1]].centre = MUS__CENTRE_SEAM;
+    board->side[sides[2]].attr.allowance = corner[2][1] + MUS__COLLAR_SEAM;
+    const bool knit = mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT);
+    mus__half_cut(half, panel, 1, MUS_MATERIAL_INTERFACING, 0);
+    if (knit) mus__half_cut(half, panel, 0, MUS_MATERIAL_RIB, 1);
     mus__board_rename(board, sides[1], board->side[sides[1]].name, "centre");
     mus__board_sew(board, 1, sides, neck->loop.n, neck->loop.side);
     mus__panel_place_ring(half, panel, !neck->front_open, 2.0 * x + 3.0 * MUS__CM, collar_height(half));

@@ -8,7 +8,8 @@
  * corner.
  *
  * The collar turns over at the neck, so the right side of its panel continues that of the bodice and becomes the under
- * side. The panel is drawn as seen from below: x to the wearer's left, y to the front, centre back at (0, 0).
+ * side. The panel is drawn as seen from below: x to the wearer's left, y to the front, centre back at (0, 0). It is cut
+ * twice, an upper and an under collar, and once of interfacing.
  */
 #include <math.h>
 #include <string.h>
@@ -258,5 +259,6 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
     board->side[cb].centre = neck->back_open ? MUS__CENTRE_OPEN : MUS__CENTRE_FOLD;
     mus__board_sew(board, 2, neck_sides, neck->loop.n, neck->loop.side);
+    mus__half_cut(half, panel, 2, MUS_MATERIAL_INTERFACING, 1);
     flat_place(half, neck, panel);
 }

@@ -1,6 +1,7 @@
 /*
  * cuff.c: cuffs and ribs: a straight band whose ends are sewn together at the underarm, its long edge sewn to the
- * end of the sleeve. The sleeve is gathered to the cuff; a rib is stretched to the sleeve.
+ * end of the sleeve. The sleeve is gathered to the cuff; a rib is stretched to the sleeve. Each is cut once and turned
+ * in along its free edge: the allowance there is the inner layer. A cuff has interfacing.
  */
 #include <string.h>
 
@@ -55,6 +56,9 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
+    board->side[side[0]].attr.allowance = depth + MUS__SEAM_ALLOWANCE;
+    const bool rib = mus__style_is(half, MUS__AXIS_CUFF, MUS__CUFF_RIB);
+    mus__half_cut(half, panel, rib ? 0 : 1, rib ? MUS_MATERIAL_RIB : MUS_MATERIAL_INTERFACING, 1);
     mus__board_seam_add(board, side[3], side[1], MUS_SEAM_REVERSED, 0.0);
     mus__board_sew(board, 1, &side[2], n, sides);
     mus__panel_place_arm(half, panel, 0.0, down, length);

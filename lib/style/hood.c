@@ -1,6 +1,6 @@
 /*
  * hood.c: the hood: a left and a right half sewn together from the nape over the head, their neck edges to the
- * neckline, the face edge open. It starts as half a drum round the head each, the seam behind.
+ * neckline, the face edge open. It starts as half a drum round the head each, the seam behind. It is lined.
  */
 #include <math.h>
 
@@ -35,6 +35,7 @@ void mus__hood_attach(mus__half *half, mus__neck *neck)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[crown].centre = MUS__CENTRE_SEAM;
+    mus__half_cut(half, panel, 1, MUS_MATERIAL_LINING, 1);
     mus__board_notch_add(board, edge, neck->length - neck->shoulder, MUS_NOTCH_SINGLE);
     mus__board_sew(board, 1, &edge, neck->loop.n, neck->loop.side);
 

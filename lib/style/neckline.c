@@ -320,6 +320,7 @@ void mus__neckline_strap(mus__half *half)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[side[1]].centre = MUS__CENTRE_FOLD;
+    mus__half_cut(half, panel, 2, MUS_MATERIAL_INTERFACING, 0);
     mus__board_seam_add(board, shoulder[0], side[3], MUS_SEAM_REVERSED, 0.0);
     mus__panel_place_ring(half, panel, false, half->measures.v[MUS_MEASURE_NECK], half->skeleton.nape);
 }

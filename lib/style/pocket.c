@@ -76,7 +76,7 @@ static void pocket_piece(mus__board *board, int32_t i, int32_t *left)
         return;
     }
     board->panel[made].mirror_of = *left;
-    board->panel[*left].attr.cut_count += board->panel[made].attr.cut_count;
+    mus__board_add_cut(board, *left, board->panel[made].attr.cut, 1);
 }
 
 

@@ -149,7 +149,8 @@ static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, b
 }
 
 
-/* the rib: round the ankle, closed at the inseam, the leg gathered into it */
+/* the rib: round the ankle, closed at the inseam, the leg gathered into it; turned in along its hem, whose allowance is
+ * the inner layer */
 static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t front, int32_t back)
 {
     mus__board *board = &half->board;
@@ -159,12 +160,13 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
     const double a[2] = {-w, bottom}, b[2] = {w, bottom}, c[2] = {w, top}, d[2] = {-w, top};
     mus__outline outline;
     mus__outline_begin(&outline);
-    mus__outline_line(&outline, "hem", "hem", 0.0, a, b);
+    mus__outline_line(&outline, "hem", "hem", height + MUS__SEAM_ALLOWANCE, a, b);
     mus__outline_line(&outline, "end_back", "inseam", MUS__SEAM_ALLOWANCE, b, c);
     mus__outline_line(&outline, "top", "cuff", MUS__SEAM_ALLOWANCE, c, d);
     mus__outline_line(&outline, "end_front", "inseam", MUS__SEAM_ALLOWANCE, d, a);
     const int32_t rib = mus__outline_panel(half, &outline, "leg_rib", "rib", false);
     mus__half_sew(half, rib, "end_back", rib, "end_front", 0.0);
+    mus__half_cut(half, rib, 0, MUS_MATERIAL_RIB, 1);
     const int32_t hems[2] = {mus__board_find(board, front, "hem"), mus__board_find(board, back, "hem")};
     const int32_t tops[1] = {mus__board_find(board, rib, "top")};
     if (board->status != MUS_OK) return;

@@ -11,6 +11,9 @@
  * pleated into it. A facing lies inside and is not a panel: the line to cut it along is marked on the pieces. A waist
  * that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
  * mus_design(3).
+ *
+ * A strip is cut once and turned in along its upper edge, whose allowance is the inner layer. A band of a cone is cut
+ * twice, an outer and an inner layer. Both have interfacing, except the casing of an elastic.
  */
 #include <math.h>
 #include <string.h>
@@ -92,13 +95,15 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
         mus__chain_line(&low, p[0], p[2]);
         mus__chain_line(&high, p[3], p[5]);
     }
+    const bool cone = fabs(angle) > 1e-4, elastic = mus__style_is(half, MUS__AXIS_BAND, MUS__BAND_ELASTIC);
     mus__outline outline;
     mus__outline_begin(&outline);
-    mus__outline_add(&outline, "low", "band", 1.0 * MUS__CM, &low);
-    mus__outline_line(&outline, "end", "side", 1.0 * MUS__CM, p[2], p[3]);
-    mus__outline_add(&outline, "top", "waist", 1.0 * MUS__CM, &high);
-    mus__outline_line(&outline, "centre", "centre", 1.0 * MUS__CM, p[5], p[0]);
+    mus__outline_add(&outline, "low", "band", MUS__SEAM_ALLOWANCE, &low);
+    mus__outline_line(&outline, "end", "side", MUS__SEAM_ALLOWANCE, p[2], p[3]);
+    mus__outline_add(&outline, "top", "waist", (cone ? 0.0 : h) + MUS__SEAM_ALLOWANCE, &high);
+    mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, p[5], p[0]);
     const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
+    mus__half_cut(half, panel, cone ? 2 : 1, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
     mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));

@@ -62,7 +62,8 @@ void mus__shaping_yoke(mus__half *half, mus__top *top)
     }
     const int32_t to = mus__board_split(board, arm, s, NULL);
     const int32_t from = mus__board_split(board, cb, board->side[cb].length - (nape[1] - at[1]), NULL);
-    yoke_cut(board, from, to, "back_yoke", "yoke");
+    /* two layers, the seam allowances between them */
+    mus__half_cut(half, yoke_cut(board, from, to, "back_yoke", "yoke"), 2, MUS_MATERIAL_INTERFACING, 0);
     yoke_pleat(half, top);
 
     /* front: along the shoulder */

@@ -26,7 +26,7 @@ typedef struct mus__svg_item {
 typedef struct mus__svg_panel {
     char name[MUS__SVG_NAME], label[MUS__SVG_NAME], mirror_of[MUS__SVG_NAME];
     const char *word; /* edges in the order of the outline, from 1, minus: against; NULL: in the order of the file */
-    double cut, layer;
+    double cut[MUS_MATERIAL_COUNT], layer;
     double origin[2]; /* [m] of the panel's plane on the sheet, y up */
     int64_t line;
     int32_t n, room;

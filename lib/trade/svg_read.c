@@ -35,7 +35,7 @@ typedef struct svg_seam {
 typedef struct svg_made {
     int32_t panel;
     int64_t line;
-    double origin[2], cut;
+    double origin[2], cut[MUS_MATERIAL_COUNT];
     char mirror_of[MUS__SVG_NAME];
 } svg_made;
 
@@ -196,7 +196,12 @@ static void begin_panel(svg_reader *r, const XML_Char **attributes)
     if (panel->name[0] == '\0') snprintf(panel->name, sizeof panel->name, "panel %d", (int)r->nmade + 1);
     copy_text(attributes, "data-label", panel->label);
     copy_text(attributes, "data-mirror-of", panel->mirror_of);
-    panel->cut = number_of(r, attributes, "data-cut", 1.0, 1.0);
+    panel->cut[MUS_MATERIAL_MAIN] = number_of(r, attributes, "data-cut", 1.0, 1.0);
+    for (int32_t i = MUS_MATERIAL_MAIN + 1; i < MUS_MATERIAL_COUNT; i++) {
+        char key[32];
+        snprintf(key, sizeof key, "data-%s", mus_material_name(i));
+        panel->cut[i] = number_of(r, attributes, key, 1.0, 0.0);
+    }
     panel->layer = number_of(r, attributes, "data-layer", 1.0, 0.0);
     panel->origin[0] = r->m[r->depth][4];
     panel->origin[1] = r->m[r->depth][5];
@@ -223,7 +228,7 @@ static mus_status keep_panel(svg_reader *r)
     svg_made *made = &r->made[r->nmade++];
     made->panel = index;
     made->line = r->panel.line;
-    made->cut = r->panel.cut;
+    memcpy(made->cut, r->panel.cut, sizeof made->cut);
     memcpy(made->origin, r->panel.origin, sizeof made->origin);
     memcpy(made->mirror_of, r->panel.mirror_of, sizeof made->mirror_of);
     for (int32_t i = 0; i < r->panel.n && status == MUS_OK; i++) {
@@ -466,7 +471,9 @@ static mus_status set_cuts(const svg_reader *r)
         if (twin && of == MUS_NONE)
             return mus__source_fail(r->source, made->line, MUS_ERR_FORMAT,
                                     "data-mirror-of: expected the name of a panel, got \"%.40s\"", made->mirror_of);
-        const mus_status status = mus_pattern_set_cut(r->pattern, made->panel, (int32_t)made->cut, of);
+        mus_status status = mus_pattern_set_cut(r->pattern, made->panel, (int32_t)made->cut[MUS_MATERIAL_MAIN], of);
+        for (int32_t k = MUS_MATERIAL_MAIN + 1; k < MUS_MATERIAL_COUNT && status == MUS_OK; k++)
+            status = mus_pattern_set_material(r->pattern, made->panel, k, (int32_t)made->cut[k]);
         if (status != MUS_OK) return mus__source_wrap(r->source, made->line, status);
     }
     return MUS_OK;

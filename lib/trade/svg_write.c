@@ -289,6 +289,10 @@ static mus_status put_panel(svg_writer *w, int32_t panel)
     put_text(w->sink, "data-label", mus_pattern_panel_label(w->pattern, panel));
     mus__sink_print(w->sink, " data-cut=\"%d\" data-layer=\"%d\"", (int)count,
                     (int)mus_pattern_layer(w->pattern, panel));
+    for (int32_t i = MUS_MATERIAL_MAIN + 1; i < MUS_MATERIAL_COUNT && status == MUS_OK; i++) {
+        status = mus_pattern_material(w->pattern, panel, i, &count, NULL);
+        if (count > 0) mus__sink_print(w->sink, " data-%s=\"%d\"", mus_material_name(i), (int)count);
+    }
     if (mirror_of != MUS_NONE) put_text(w->sink, "data-mirror-of", mus_pattern_panel_name(w->pattern, mirror_of));
     if (status == MUS_OK) status = put_word(w, panel);
     mus__sink_print(w->sink, " transform=\"translate(%.3f,%.3f)\">\n", w->origins[2 * panel],

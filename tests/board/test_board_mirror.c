@@ -179,8 +179,8 @@ START_TEST(what_a_half_carries_is_on_both_halves_of_the_whole)
     ck_assert_str_eq(board.side[arm_r].attr.label, "armhole");
     ck_assert_str_eq(board.panel[1].name, "sleeve_left");
     ck_assert_str_eq(board.panel[2].name, "sleeve_right");
-    ck_assert(board.panel[2].mirror_of == 1 && board.panel[1].attr.cut_count == 2);
-    ck_assert_int_eq(board.panel[2].attr.cut_count, 1);
+    ck_assert(board.panel[2].mirror_of == 1 && board.panel[1].attr.cut[MUS_MATERIAL_MAIN] == 2);
+    ck_assert_int_eq(board.panel[2].attr.cut[MUS_MATERIAL_MAIN], 1);
     ck_assert_int_eq(mus__board_partner(&board, arm), table_side(&board, "sleeve_left.capF"));
     ck_assert_int_eq(mus__board_partner(&board, arm_r), table_side(&board, "sleeve_right.capF"));
 
@@ -234,7 +234,7 @@ START_TEST(mirrored_twice_is_the_panel_itself)
         mus__board_remove_panel(&board, once);
         mus__board_remove_panel(&board, names[i]);
         memcpy(board.panel[twice].name, own, sizeof own);
-        ck_assert_int_eq(board.panel[twice].attr.cut_count, 1);
+        ck_assert_int_eq(board.panel[twice].attr.cut[MUS_MATERIAL_MAIN], 1);
     }
     table_whole(&board);
     mus__board_write(&board, &after);

@@ -35,6 +35,8 @@ static void make_up(mus_pattern *pattern, uint64_t *seed, int32_t edges[3][4])
 {
     ck_assert_int_eq(mus_pattern_set_cut(pattern, 0, 2, MUS_NONE), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_cut(pattern, 1, 0, 2), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_material(pattern, 1, MUS_MATERIAL_RIB, 1), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_material(pattern, 2, MUS_MATERIAL_INTERFACING, (int32_t)(*seed % 5)), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_panel_label(pattern, 1, "body"), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_panel_sides(pattern, 1, (int32_t)(*seed % 16)), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_edge_label(pattern, edges[1][1], "left_armhole"), MUS_OK);
@@ -122,6 +124,12 @@ static mus_pattern *make_pattern(mus_context *context, uint64_t seed)
     ck_assert_int_eq(mus_pattern_add_mark(pattern, 2, "centre front", 3, line, &index), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_mark(pattern, 0, "", 1, line, &index), MUS_OK);
     ck_assert_int_eq(mus_pattern_add_opening(pattern, "a \"quoted\" neck"), MUS_OK);
+    mus_pattern *extra;
+    ck_assert_int_eq(mus_pattern_create(context, "extra", &extra), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_panel(extra, "facing", &index), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_mark(extra, 0, "fold", 3, line, &index), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_cut_only(pattern, extra), MUS_OK);
+    mus_pattern_destroy(extra);
     return pattern;
 }
 
@@ -151,6 +159,11 @@ static void assert_same_panels(const mus_pattern *a, const mus_pattern *b)
         SAME(grain[0], grain[1], 2);
         ck_assert_int_eq(cut[0], cut[1]);
         ck_assert_int_eq(mirror[0], mirror[1]);
+        for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) {
+            for (int k = 0; k < 2; k++)
+                ck_assert_int_eq(mus_pattern_material(both[k], i, m, &cut[k], &mirror[k]), MUS_OK);
+            ck_assert(cut[0] == cut[1] && mirror[0] == mirror[1]);
+        }
         ck_assert_int_eq(n[0], n[1]);
         if (n[0] > 0) SAME(edges[0], edges[1], (size_t)n[0]);
         if (n[0] > 0) SAME(directions[0], directions[1], (size_t)n[0]);

@@ -7,6 +7,7 @@ const [wasm, script, ...designs] = process.argv.slice(2);
 const { Room } = await import(pathToFileURL(script));
 const room = await Room.open(await WebAssembly.compile(readFileSync(wasm)));
 const SPACING = 0.02,
+    SKIN = { samples: 16, spacing: 0.04, plain: 1 }, // as the page has while a hand moves
     TIMES = 30;
 for (const design of designs) {
     const taken = [[], [], [], []];
@@ -16,13 +17,13 @@ for (const design of designs) {
         taken[at].push((process.cpuUsage().user - start) / 1000);
     };
     room.size("W40");
-    room.body(16, 0.04);
+    room.body(SKIN);
     room.draft(design);
     room.sew(SPACING);
     for (let i = 1; i <= TIMES; i++) {
         room.size("W40");
         room.measure("bust", 0.92 + 0.001 * i);
-        timed(0, () => room.body(16, 0.04));
+        timed(0, () => room.body(SKIN));
         timed(1, () => room.draft(design));
         timed(2, () => (room.warm(SPACING), room.clothMesh(), room.bodyMesh()));
         timed(3, () => room.settle());

@@ -63,6 +63,7 @@ static inline sample sample_make(mus_context *context)
     ck_assert_int_eq(mus_pattern_set_placement(s.pattern, s.front, &placement), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_grain(s.pattern, s.sleeve, 3.0, 4.0), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_cut(s.pattern, s.sleeve, 2, MUS_NONE), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_material(s.pattern, s.sleeve, MUS_MATERIAL_LINING, 3), MUS_OK);
     ck_assert_int_eq(mus_pattern_set_panel_label(s.pattern, s.sleeve, "arm"), MUS_OK);
     return s;
 }
@@ -91,6 +92,11 @@ static inline void same_panels(const mus_pattern *a, const mus_pattern *b)
         if (n[0] > 0) ck_assert_mem_eq(edges[0], edges[1], (size_t)n[0] * sizeof *edges[0]);
         if (n[0] > 0) ck_assert_mem_eq(directions[0], directions[1], (size_t)n[0] * sizeof *directions[0]);
         ck_assert_mem_eq(cut[0], cut[1], sizeof cut[0]);
+        for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) {
+            for (int32_t k = 0; k < 2; k++)
+                ck_assert_int_eq(mus_pattern_material(p[k], i, m, &cut[k][0], &cut[k][1]), MUS_OK);
+            ck_assert_mem_eq(cut[0], cut[1], sizeof cut[0]);
+        }
         ck_assert_mem_eq(grain[0], grain[1], sizeof grain[0]);
         ck_assert_mem_eq(&place[0], &place[1], sizeof place[0]);
     }

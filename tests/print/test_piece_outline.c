@@ -218,10 +218,10 @@ START_TEST(copies_follow_the_mirrors)
 {
     make(pattern, mus_pattern_find_panel(pattern, "sleeve_left"), 0.01);
     ck_assert(piece.mirrored);
-    ck_assert_int_eq(piece.copies, 2);
+    ck_assert_int_eq(mus__piece_copies(&piece), 2);
     make(pattern, mus_pattern_find_panel(pattern, "front"), 0.01);
     ck_assert(!piece.mirrored);
-    ck_assert_int_eq(piece.copies, 1);
+    ck_assert_int_eq(mus__piece_copies(&piece), 1);
 }
 END_TEST
 

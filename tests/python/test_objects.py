@@ -183,6 +183,13 @@ def test_what_is_said_of_a_pattern_is_what_it_answers(context):
     assert pattern.edge_allowance(0) == 0.03 and pattern.edge_allowance(1) is None
     assert pattern.grain(0) == pytest.approx((0.6, 0.8))
     assert pattern.cut(0) == (2, None)
+    pattern.set_material(0, "interfacing", 1)
+    assert pattern.materials(0) == {"main": 2, "interfacing": 1}
+    assert pattern.cut_only() is None
+    pattern.set_cut_only(pattern.copy())
+    assert pattern.cut_only().panel("wall") == 0
+    pattern.set_cut_only(None)
+    assert pattern.cut_only() is None
     assert pattern.notches() == [(0, 0.25, 2)]
     assert pattern.marks() == [(0, "centre", [(0.6, 0.0), (0.6, 0.4)])]
     assert [tuple(row) for row in pattern.edge_at(0, [0, 0.5, 1])] == [(0, 0), pytest.approx((0.6, 0)), (1.2, 0)]

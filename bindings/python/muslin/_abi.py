@@ -157,6 +157,12 @@ MUS_CLOSURE_BUTTONS = 2
 MUS_NOTCH_SINGLE = 1
 MUS_NOTCH_DOUBLE = 2
 MUS_NOTCH_TRIPLE = 3
+MUS_MATERIAL_MAIN = 0
+MUS_MATERIAL_LINING = 1
+MUS_MATERIAL_INTERFACING = 2
+MUS_MATERIAL_RIB = 3
+MUS_MATERIAL_ELASTIC = 4
+MUS_MATERIAL_COUNT = 5
 MUS_SIDE_FRONT = 1
 MUS_SIDE_BACK = 2
 MUS_SIDE_LEFT = 4
@@ -606,7 +612,7 @@ mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", 
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
                             ("mirrored", c_int32), ("fold", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
-                            ("box", c_double * 4), ("size_index", c_int32)]
+                            ("box", c_double * 4), ("size_index", c_int32), ("materials", c_int32 * 8)]
 mus_sheet_line._fields_ = [("size", c_size_t), ("piece", c_int32), ("kind", c_int32), ("edge", c_int32),
                            ("filled", c_int32), ("op_count", c_int32), ("point_count", c_int32),
                            ("ops", POINTER(c_uint8)), ("points", POINTER(c_double))]
@@ -760,6 +766,10 @@ FUNCTIONS = {
                                                POINTER(c_int32)]),
     "mus_pattern_set_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_double]),
     "mus_pattern_set_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_material_name": ("core", c_char_p, [c_int32]),
+    "mus_material_find": ("core", c_int32, [c_char_p]),
+    "mus_pattern_set_material": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
+    "mus_pattern_set_cut_only": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_pattern)]),
     "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_set_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32]),
     "mus_pattern_add_opening": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),
@@ -796,6 +806,9 @@ FUNCTIONS = {
     "mus_cut_line_dart": ("core", c_int32, [POINTER(mus_cut_line), c_int32, POINTER(c_double)]),
     "mus_pattern_grain": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_double)]),
     "mus_pattern_cut": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),
+    "mus_pattern_material": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, POINTER(c_int32),
+                                               POINTER(c_int32)]),
+    "mus_pattern_cut_only": ("core", POINTER(mus_pattern), [POINTER(mus_pattern)]),
     "mus_pattern_point": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_double)]),
     "mus_pattern_edge_panel": ("core", c_int32, [POINTER(mus_pattern), c_int32]),
     "mus_pattern_edge_ends": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(c_int32), POINTER(c_int32)]),

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 _PIECES = {"line": _abi.MUS_PIECE_LINE, "quadratic": _abi.MUS_PIECE_QUADRATIC, "cubic": _abi.MUS_PIECE_CUBIC,
            "arc": _abi.MUS_PIECE_ARC}
+_MATERIALS = {"main": _abi.MUS_MATERIAL_MAIN, "lining": _abi.MUS_MATERIAL_LINING,
+              "interfacing": _abi.MUS_MATERIAL_INTERFACING, "rib": _abi.MUS_MATERIAL_RIB,
+              "elastic": _abi.MUS_MATERIAL_ELASTIC}
 _SIDES = {"front": _abi.MUS_SIDE_FRONT, "back": _abi.MUS_SIDE_BACK, "left": _abi.MUS_SIDE_LEFT,
           "right": _abi.MUS_SIDE_RIGHT}
 
@@ -237,6 +240,14 @@ class Pattern(Topology, Edits, Valued):
         """How many pieces are cut, and of which panel it is the mirror image."""
         self.do("set_cut", panel, count, mirror_of)
 
+    def set_material(self, panel: int, material: str, count: int) -> None:
+        """How many pieces are cut of a material: main, lining, interfacing, rib, elastic."""
+        self.do("set_material", panel, _MATERIALS[material], count)
+
+    def set_cut_only(self, panels: Pattern | None) -> None:
+        """The panels that are cut and not draped, a pattern of their own, which is copied; None takes them away."""
+        self.do("set_cut_only", panels.handle if panels is not None else None)
+
     def set_placement(self, panel: int, **options: Any) -> None:
         """Where a panel starts: origin, rotation, bend, bend_x, fold (mus_placement)."""
         placement = make_def(_abi.mus_placement, lib.mus_placement_init, options)
@@ -329,6 +340,20 @@ class Pattern(Topology, Edits, Valued):
         count, mirror = ctypes.c_int32(), ctypes.c_int32()
         self.do("cut", panel, ctypes.byref(count), ctypes.byref(mirror))
         return count.value, None if mirror.value == _abi.MUS_NONE else mirror.value
+
+    def materials(self, panel: int) -> dict[str, int]:
+        """Pieces that are cut of each material of a panel, those without a piece left out: {"main": 2, "lining": 1}."""
+        count, told = ctypes.c_int32(), {}
+        for name, material in _MATERIALS.items():
+            self.do("material", panel, material, ctypes.byref(count), None)
+            if count.value > 0:
+                told[name] = count.value
+        return told
+
+    def cut_only(self) -> Pattern | None:
+        """A copy of the panels that are cut and not draped (facings, elastic); None without any."""
+        own = self.get("cut_only")
+        return Pattern(context=self.context, _handle=create(self.context, "pattern", "mus_pattern_copy", own)) if own else None
 
     def edge_allowance(self, edge: int) -> float | None:
         """[m], None where the sheet decides."""

@@ -58,8 +58,11 @@ export class Room {
     /** A measure of the tape [m; degrees where it is an angle]; NaN where it is unknown. */
     measure(name: string): number;
     measure(name: string, value: number): void;
-    /** Make the body. `samples` round a ring, `spacing` of rings [m], 0: the library's; `pose`: index, -1: as made. */
-    body(samples?: number, spacing?: number, pose?: number): void;
+    /**
+     * Make the body. `samples` round a ring, `spacing` of rings [m], 0: the library's; `plain`: 1 without fingers and
+     * toes; `pose`: index, -1: as made.
+     */
+    body(options?: { samples?: number; spacing?: number; plain?: 0 | 1; pose?: number }): void;
     bodyMesh(): Mesh;
 
     /** Draft a design by its name or in words. */

@@ -90,8 +90,8 @@ export class Room {
         this.check(this.c.room_measure_set(i, value));
     }
 
-    body(samples = 0, spacing = 0, pose = -1) {
-        this.check(this.c.room_body(samples, spacing, pose));
+    body({ samples = 0, spacing = 0, plain = 0, pose = -1 } = {}) {
+        this.check(this.c.room_body(samples, spacing, plain, pose));
     }
 
     draft(design) {

@@ -6,8 +6,10 @@ const STOPPED = 19; // MUS_ERR_STOPPED
 const SLICE = 20; // first run of settling [ms]; each later one has twice the time of the one before
 const SKIPS = 2; // such wishes at most: a dragged slider is followed at once, and the cloth still comes after
 const FINE_SLICE = 640; // the same of the fine worker, whose runs begin anew
-const SKIN = [16, 0.04], // samples of a ring and distance of rings [m] of the body that is shown: while a hand moves,
-    FINE_SKIN = [32, 0.025]; // and when it rests. The cloth lies on the same body in both
+// the body that is shown, by samples of a ring and distance of rings [m]: while a hand moves, without fingers and toes,
+// and when it rests. The cloth lies on the same body in both
+const SKIN = { samples: 16, spacing: 0.04, plain: 1 },
+    FINE_SKIN = { samples: 32, spacing: 0.025 };
 const GROUP_SIZES = [
     [1, "W40"],
     [2, "M50"],
@@ -60,7 +62,7 @@ async function dress(asked) {
     const person = JSON.stringify([asked.person, asked.pose]);
     const newBody = person !== shape || asked.fine;
     tapeOf(asked.person);
-    room.body(...(asked.fine ? FINE_SKIN : SKIN), asked.pose);
+    room.body({ ...(asked.fine ? FINE_SKIN : SKIN), pose: asked.pose });
     shape = person;
     room.draft(asked.design);
     const spacing = asked.spacing;

@@ -105,14 +105,15 @@ double EXPORT(room_made)(int32_t i) { return rest != NULL ? mus_body_made(rest, 
 
 
 /* Makes the body of the tape in a named pose (-1: as made); `samples` and `spacing` of its skin, 0: as the library has
- * them. */
-int32_t EXPORT(room_body)(int32_t samples, double spacing, int32_t named)
+ * them; `plain`: without fingers and toes. */
+int32_t EXPORT(room_body)(int32_t samples, double spacing, int32_t plain, int32_t named)
 {
     mus_body *made = NULL, *posed = NULL;
     mus_body_def def;
     mus_body_def_init(&def, sizeof def);
     if (samples > 0) def.samples = samples;
     if (spacing > 0.0) def.ring_spacing = spacing;
+    def.plain = plain;
     mus_status status = mus_tape_complete(tape);
     if (status == MUS_OK) status = mus_body_create(context, tape, &def, &made);
     if (status == MUS_OK && named >= 0) {

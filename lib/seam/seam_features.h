@@ -55,24 +55,18 @@
     X(BOTH_DOWN, "both look down")                                                                                   \
     X(BOTH_UP, "both look up")                                                                                       \
     X(EASED_SIDE, "lengths beyond 5 %, edges that look sideways")                                                    \
+    X(JILTED, "edges that leave one of equal length, 0 to 2")                                                        \
     X(SHORT, "length of the shorter by the longest of the pattern")
 
 /* features of a whole sewing: free edges, vertices, openings, symmetry */
+/* features of a whole sewing: free edges, vertices, openings, symmetry */
 #define MUS__SEAM_WHOLE(X)                                                                                           \
     X(FREE_TURN, "turn of a free edge [rad]")                                                                        \
-    X(FREE_CONCAVE, "a free edge that is concave")                                                                   \
-    X(FREE_DOWN, "a free edge that looks down")                                                                      \
-    X(FREE_UP, "a free edge that looks up")                                                                          \
     X(FREE_LENGTH, "length of a free edge by the longest of the pattern")                                            \
     X(FREE_NOTCH, "a free edge with notches")                                                                        \
-    X(FREE_LOW, "height of a free edge within its panel, 0 to 1")                                                    \
-    X(FREE_EQUAL, "a free edge with an equal one other than its image")                                              \
-    X(FREE_IMAGE, "a free edge with an equal mirror image alone")                                                    \
     X(FREE_DOWN_LOW, "a free edge that looks down at the bottom of its panel")                                       \
     X(FREE_UP_HIGH, "a free edge that looks up at the top")                                                          \
     X(FREE_CONCAVE_HIGH, "a concave free edge in the upper half")                                                    \
-    X(FREE_SIDEWAYS, "a free edge that looks sideways")                                                              \
-    X(FREE_SIDEWAYS_EQUAL, "the same where others have its length")                                                  \
     X(FREE_ALONE, "a free edge whose length no other has within 1 %")                                                \
     X(CLOSED_1, "tip of a dart")                                                                                     \
     X(CLOSED_2, "closed vertex of 2 corners")                                                                        \
@@ -89,20 +83,38 @@
     X(OPEN_3, "vertex of an opening of 3 corners")                                                                   \
     X(OPEN_4, "vertex of an opening of 4 corners")                                                                   \
     X(OPEN_MORE, "vertex of an opening of more corners")                                                             \
+    X(OPEN_1_OFF, "angle of a corner between free edges from the half turn, 1.5 rad at most")                        \
     X(OPEN_2_OFF, "angle of 2 corners from the half turn, 1.5 rad at most")                                          \
     X(OPEN_3_OFF, "angle of 3 and more corners from the half turn")                                                  \
     X(OPEN_2_FLAT, "2 corners that make a half turn")                                                                \
     X(OPEN_3_FLAT, "3 and more corners that make a half turn")                                                       \
     X(OPEN_REFLEX, "vertex of an opening of more than 220 degrees")                                                  \
+    X(LINE, "seams that go on in one another")                                                                       \
+    X(LINE_SAME, "the same, ratios of the lengths within 1 %")                                                       \
+    X(LINE_GATHER, "the same of unequal lengths")                                                                    \
+    X(LINE_OFF, "difference of the ratios' logarithms, 0.5 at most")                                                 \
+    X(LINE_STOP, "flat points of an outline at which a seam ends")                                                   \
     X(COMPONENTS, "garments beyond the first")                                                                       \
     X(HANDLES, "handles")                                                                                            \
-    X(OPENINGS, "openings")                                                                                          \
+    X(SEALED, "garments of less than two openings")                                                                  \
+    X(OPENINGS_2, "garments of 2 openings")                                                                          \
+    X(OPENINGS_3, "garments of 3 openings")                                                                          \
+    X(OPENINGS_4, "garments of 4 openings")                                                                          \
+    X(OPENINGS_MORE, "openings beyond the fifth")                                                                    \
     X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
-    X(UNEVEN, "seams whose mirror image is none")
+    X(UNEVEN, "seams whose mirror image is none, of panels of which it is known")                                    \
+    X(UNEVEN_FREE, "free edges whose mirror image is sewn, likewise")
+
+/* tables of kinds, of which each seam and each free edge has one: see seam_score.c */
+#define MUS__SEAM_RELATIONS 4  /* of two panels: one, images of one another, front and back, others */
+#define MUS__SEAM_DIRECTIONS 6 /* of two normals */
+#define MUS__SEAM_LENGTHS 3    /* of two lengths: within 0.2 %, within 5 %, others */
+#define MUS__SEAM_SEAM_KINDS (MUS__SEAM_RELATIONS * MUS__SEAM_DIRECTIONS * MUS__SEAM_LENGTHS)
+#define MUS__SEAM_FREE_KINDS 36
 
 #define MUS__SEAM_ENUM(name, text) MUS__SEAM_##name,
-enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_PAIRS };
-enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_WHOLES };
+enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_KIND, MUS__SEAM_PAIRS = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS };
+enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_FREE, MUS__SEAM_WHOLES = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS };
 #define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_WHOLES)
 
 #endif

@@ -12,64 +12,44 @@
 #include "seam/seam_find.h"
 #include "base/elementary.h"
 
-#define LENGTHS_EQUAL 2e-3  /* relative difference of lengths that count as equal; chosen: 1 mm of a side seam */
 #define NORMALS_SPREAD 0.04 /* 1 less the cosine at which an agreement of normals falls to 1/e: 16 degrees */
 #define CORNERS_SPREAD 0.06 /* [rad] the same of corners that add up to a half turn */
 #define NOTCHES_SPREAD 0.02 /* relative arc length, the same of notches */
 #define ANGLES_SPREAD 0.1   /* [rad] the same of the angle of a vertex */
 #define DART_WEDGE 1.2      /* [rad] widest dart; chosen: a quarter more than a bust dart of a large cup */
+#define FLAT 0.2            /* [rad] a corner that is nearer to the half turn is a point of a line */
 #define OPENING_SMALL 0.15  /* [m] a shorter opening lets no hand through; chosen: half the girth of a child's wrist */
 #define OPENING_REFLEX 3.84 /* [rad] 220 degrees */
 #define CURVED 0.3          /* [rad] turn of an edge that counts as curved */
+#define ALIGNED 0.92        /* cosine of the angle between directions that count as one: 23 degrees */
 #define NARROW 0.02         /* [rad] turn of an edge that counts as straight */
 
 
 static double bell(double x, double spread)
 {
-    return mus__exp(-(x / spread) * (x / spread));
+    const double square = (x / spread) * (x / spread);
+    return square < 30.0 ? mus__exp(-square) : 0.0;
 }
 
 
 /* ---- a seam ---- */
 
-/* number of edges whose logarithm of the length is below x */
-static int32_t count_below(const mus__seam_facts *facts, double x)
-{
-    int32_t low = 0, high = facts->n;
-    while (low < high) {
-        const int32_t middle = low + (high - low) / 2;
-        if (facts->lengths[middle] < x)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-
-/* number of other edges whose length differs by less than the ratio */
-static int32_t count_near(const mus__seam_facts *facts, int32_t a, double ratio)
-{
-    const double x = facts->edges[a].log_length;
-    const int32_t n = count_below(facts, x + ratio) - count_below(facts, x - ratio) - 1;
-    return n > 0 ? n : 0;
-}
-
-
 static void pair_lengths(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
 {
     const mus__seam_edge *x = &facts->edges[a], *y = &facts->edges[b];
     const double r = fabs(x->log_length - y->log_length);
-    const int32_t rank_a = count_near(facts, a, r), rank_b = count_near(facts, b, r);
+    const int32_t rank_a = mus__seam_count_near(facts, a, r), rank_b = mus__seam_count_near(facts, b, r);
     out[MUS__SEAM_RATIO] = fmin(r, 1.5);
-    out[MUS__SEAM_EQUAL] = r < LENGTHS_EQUAL;
+    out[MUS__SEAM_EQUAL] = r < MUS__SEAM_EQUAL_LENGTHS;
     out[MUS__SEAM_NEAR] = r < 0.01;
     out[MUS__SEAM_CLOSE] = r < 0.05;
     out[MUS__SEAM_EASED] = r < 0.2;
-    if (r < LENGTHS_EQUAL) {
-        const int32_t na = count_near(facts, a, LENGTHS_EQUAL), nb = count_near(facts, b, LENGTHS_EQUAL);
+    if (r < MUS__SEAM_EQUAL_LENGTHS) {
+        const int32_t na = x->equal, nb = y->equal;
         out[MUS__SEAM_ONLY] = 1.0 / (na > nb ? na > 1 ? na : 1 : nb > 1 ? nb : 1);
-    }
+    } else
+        out[MUS__SEAM_JILTED] = (x->equal > (x->mirror != MUS_NONE && x->mirror != a)) +
+                                (y->equal > (y->mirror != MUS_NONE && y->mirror != b));
     out[MUS__SEAM_RANK] = fmin(rank_a > rank_b ? rank_a : rank_b, 8.0) / 8.0;
     out[MUS__SEAM_SHORT] = fmin(x->length, y->length) / facts->longest;
 }
@@ -177,6 +157,27 @@ static void pair_both(const mus__seam_edge *x, const mus__seam_edge *y, double *
 }
 
 
+/* the kind of a seam: relation of the panels, directions of the edges, lengths */
+static int32_t pair_kind(const mus__seam_facts *facts, const mus__seam_edge *x, const mus__seam_edge *y,
+                         const double *out)
+{
+    const double mirror = -x->normal[0] * y->normal[0] + x->normal[1] * y->normal[1];
+    const double opposed = -x->normal[0] * y->normal[0] - x->normal[1] * y->normal[1];
+    const int32_t relation = x->panel == y->panel                          ? 0
+                             : facts->panels[x->panel].image == y->panel   ? 1
+                             : out[MUS__SEAM_FRONT_BACK] > 0.0             ? 2
+                                                                           : 3;
+    const int32_t direction = mirror > ALIGNED && opposed > ALIGNED  ? 0
+                              : mirror > ALIGNED && x->normal[1] > 0 ? 1
+                              : mirror > ALIGNED                     ? 2
+                              : opposed > ALIGNED                    ? 3
+                              : x->normal[1] * y->normal[1] < 0.0    ? 4
+                                                                     : 5;
+    const int32_t lengths = out[MUS__SEAM_EQUAL] > 0.0 ? 0 : out[MUS__SEAM_CLOSE] > 0.0 ? 1 : 2;
+    return (relation * MUS__SEAM_DIRECTIONS + direction) * MUS__SEAM_LENGTHS + lengths;
+}
+
+
 void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
 {
     const mus__seam_edge *x = &facts->edges[a], *y = &facts->edges[b];
@@ -191,6 +192,7 @@ void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *
     out[MUS__SEAM_CENTRE] = x->mirror == b;
     out[MUS__SEAM_CENTRE_VERTICAL] = x->mirror == b && fabs(x->normal[0]) > 0.9;
     out[MUS__SEAM_HEIGHT] = x->panel != y->panel ? fabs(x->height - y->height) : 0.0;
+    out[MUS__SEAM_KIND + pair_kind(facts, x, y, out)] = 1.0;
 }
 
 
@@ -203,6 +205,7 @@ typedef struct surface {
     int32_t *after; /* (n) the free edge that follows a free edge round an opening */
     int32_t *done;  /* (n) free edges */
     int32_t *part;  /* (npanel) parent in the forest of components */
+    int32_t *openings; /* (npanel) of the component of which the panel is the root */
     int32_t nvertex, nopening;
     double *out;
 } surface;
@@ -211,22 +214,20 @@ typedef struct surface {
 static void free_edge(const surface *s, int32_t a)
 {
     const mus__seam_edge *x = &s->facts->edges[a];
-    const int32_t equal = count_near(s->facts, a, LENGTHS_EQUAL);
+    const int32_t equal = x->equal, own = x->mirror != MUS_NONE && x->mirror != a;
+    const int32_t direction = x->normal[1] < -0.9 ? 0 : x->normal[1] > 0.9 ? 1 : fabs(x->normal[0]) > 0.9 ? 2 : 3;
+    const int32_t shape = x->turn < -CURVED ? 0 : x->turn > CURVED ? 1 : 2;
+    const int32_t rivals = equal > own ? 0 : equal > 0 ? 1 : 2;
+    s->out[MUS__SEAM_FREE + (direction * 3 + shape) * 3 + rivals] += 1.0;
     s->out[MUS__SEAM_FREE_TURN] += fmin(fabs(x->turn), 3.0);
-    s->out[MUS__SEAM_FREE_CONCAVE] += x->turn < -CURVED;
-    s->out[MUS__SEAM_FREE_DOWN] += x->normal[1] < -0.9;
-    s->out[MUS__SEAM_FREE_UP] += x->normal[1] > 0.9;
     s->out[MUS__SEAM_FREE_LENGTH] += x->length / s->facts->longest;
     s->out[MUS__SEAM_FREE_NOTCH] += x->nnotch > 0;
-    s->out[MUS__SEAM_FREE_LOW] += x->height;
-    s->out[MUS__SEAM_FREE_EQUAL] += equal > 1;
     s->out[MUS__SEAM_FREE_DOWN_LOW] += x->normal[1] < -0.9 && x->height < 0.2;
     s->out[MUS__SEAM_FREE_UP_HIGH] += x->normal[1] > 0.9 && x->height > 0.8;
     s->out[MUS__SEAM_FREE_CONCAVE_HIGH] += x->turn < -CURVED && x->height > 0.5;
-    s->out[MUS__SEAM_FREE_SIDEWAYS] += fabs(x->normal[0]) > 0.9;
-    s->out[MUS__SEAM_FREE_SIDEWAYS_EQUAL] += fabs(x->normal[0]) > 0.9 && equal > 0;
-    s->out[MUS__SEAM_FREE_ALONE] += count_near(s->facts, a, 0.01) == 0;
-    s->out[MUS__SEAM_FREE_IMAGE] += equal == 1 && x->mirror != MUS_NONE && x->mirror != a;
+    s->out[MUS__SEAM_FREE_ALONE] += x->alone;
+    s->out[MUS__SEAM_UNEVEN_FREE] +=
+        x->mirror != MUS_NONE && s->facts->panels[x->panel].sure && s->mate[x->mirror] != MUS_NONE;
 }
 
 
@@ -249,10 +250,12 @@ static void open_vertex(double *out, int32_t k, double angle)
 {
     const double off = fmin(fabs(angle - MUS__SEAM_PI), 1.5), flat = bell(angle - MUS__SEAM_PI, ANGLES_SPREAD);
     out[MUS__SEAM_OPEN_1 + (k < 5 ? k : 5) - 1] += 1.0;
-    if (k == 2) {
+    if (k == 1) {
+        out[MUS__SEAM_OPEN_1_OFF] += off;
+    } else if (k == 2) {
         out[MUS__SEAM_OPEN_2_OFF] += off;
         out[MUS__SEAM_OPEN_2_FLAT] += flat;
-    } else if (k > 2) {
+    } else {
         out[MUS__SEAM_OPEN_3_OFF] += off;
         out[MUS__SEAM_OPEN_3_FLAT] += flat;
     }
@@ -260,11 +263,24 @@ static void open_vertex(double *out, int32_t k, double angle)
 }
 
 
+/* two seams that go on in one another, each given by its edge on one side of the line: their ratios of lengths */
+static void join_line(const surface *s, int32_t a, int32_t b)
+{
+    const mus__seam_edge *e = s->facts->edges;
+    const double p = e[s->mate[a]].log_length - e[a].log_length, q = e[s->mate[b]].log_length - e[b].log_length;
+    const bool same = fabs(p - q) < MUS__SEAM_EQUAL_RATIOS;
+    s->out[MUS__SEAM_LINE] += 1.0;
+    s->out[MUS__SEAM_LINE_SAME] += same;
+    s->out[MUS__SEAM_LINE_GATHER] += same && fabs(p) > MUS__SEAM_EQUAL_RATIOS;
+    s->out[MUS__SEAM_LINE_OFF] += fmin(fabs(p - q), 0.5);
+}
+
+
 /* the vertex of the corner at the start of edge e */
 static void walk_vertex(surface *s, int32_t e)
 {
     const mus__seam_edge *edges = s->facts->edges;
-    int32_t first = e, k = 0, last = MUS_NONE;
+    int32_t first = e, k = 0, last = MUS_NONE, corner[4], flat = 0;
     while (s->mate[edges[first].prev] != MUS_NONE) {
         first = s->mate[edges[first].prev];
         if (first == e) break;
@@ -274,7 +290,16 @@ static void walk_vertex(surface *s, int32_t e)
     for (int32_t c = first;; c = edges[s->mate[c]].next) {
         if (k > 0 && c == first) break;
         s->seen[c] = 1;
+        const int32_t before_c = edges[c].prev;
+        if (fabs(edges[c].start - MUS__SEAM_PI) < FLAT) {
+            flat++;
+            if (s->mate[c] != MUS_NONE && s->mate[before_c] != MUS_NONE)
+                join_line(s, before_c, c);
+            else
+                s->out[MUS__SEAM_LINE_STOP] += s->mate[c] != s->mate[before_c];
+        }
         angle += edges[c].start;
+        if (k < 4) corner[k] = c;
         k++;
         last = c;
         if (s->mate[c] == MUS_NONE) break;
@@ -282,6 +307,8 @@ static void walk_vertex(surface *s, int32_t e)
     s->nvertex++;
     if (s->mate[last] != MUS_NONE) {
         closed_vertex(s->out, k, angle);
+        /* of four seams at a vertex those that face one another are a line: the edges left of it */
+        for (int32_t i = 0; k == 4 && flat == 0 && i < 2; i++) join_line(s, s->mate[corner[i]], corner[i + 2]);
         return;
     }
     open_vertex(s->out, k, angle);
@@ -289,6 +316,14 @@ static void walk_vertex(surface *s, int32_t e)
 }
 
 
+static int32_t part_root(int32_t *part, int32_t p)
+{
+    while (part[p] != p) p = part[p] = part[part[p]];
+    return p;
+}
+
+
+/* openings of each component; the parts of the panels are known */
 static void walk_openings(surface *s)
 {
     for (int32_t a = 0; a < s->facts->n; a++) {
@@ -299,15 +334,9 @@ static void walk_openings(surface *s)
             length += s->facts->edges[b].length;
         }
         s->nopening++;
+        s->openings[part_root(s->part, s->facts->edges[a].panel)]++;
         s->out[MUS__SEAM_OPENINGS_SMALL] += length < OPENING_SMALL;
     }
-}
-
-
-static int32_t part_root(int32_t *part, int32_t p)
-{
-    while (part[p] != p) p = part[p] = part[part[p]];
-    return p;
 }
 
 
@@ -331,6 +360,26 @@ static int32_t count_components(const surface *s, int32_t *faces)
 }
 
 
+static void count_openings(const surface *s)
+{
+    for (int32_t p = 0; p < s->facts->npanel; p++) {
+        const int32_t n = s->openings[p];
+        if (s->facts->panels[p].n == 0 || s->part[p] != p) continue;
+        s->out[MUS__SEAM_SEALED] += n < 2;
+        s->out[MUS__SEAM_OPENINGS_2] += n == 2;
+        s->out[MUS__SEAM_OPENINGS_3] += n == 3;
+        s->out[MUS__SEAM_OPENINGS_4] += n == 4;
+        s->out[MUS__SEAM_OPENINGS_MORE] += n > 5 ? n - 5 : 0;
+    }
+}
+
+
+static bool is_sure(const mus__seam_facts *facts, int32_t a)
+{
+    return facts->panels[facts->edges[a].panel].sure;
+}
+
+
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out)
 {
     const int32_t n = facts->n;
@@ -340,9 +389,11 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
                  .after = scratch + n,
                  .done = scratch + 2 * n,
                  .part = scratch + 4 * n,
+                 .openings = scratch + 4 * n + facts->npanel,
                  .out = out};
     int32_t seams = 0, faces = 0;
     memset(scratch, 0, 3 * sizeof *scratch * (size_t)n);
+    memset(s.openings, 0, sizeof *scratch * (size_t)facts->npanel);
     memset(out, 0, MUS__SEAM_WHOLES * sizeof *out);
     for (int32_t a = 0; a < n; a++) {
         const int32_t b = mate[a];
@@ -352,12 +403,13 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
         } else if (a < b) {
             const int32_t c = facts->edges[a].mirror, d = facts->edges[b].mirror;
             seams++;
-            out[MUS__SEAM_UNEVEN] += c != MUS_NONE && d != MUS_NONE && mate[c] != d;
+            if (c != MUS_NONE && d != MUS_NONE && is_sure(facts, a) && is_sure(facts, b))
+                out[MUS__SEAM_UNEVEN] += mate[c] != d;
         }
     }
-    walk_openings(&s);
     const int32_t components = count_components(&s, &faces);
+    walk_openings(&s);
+    count_openings(&s);
     out[MUS__SEAM_COMPONENTS] = components - 1;
     out[MUS__SEAM_HANDLES] = components - 0.5 * (s.nvertex - (n - seams) + faces + s.nopening);
-    out[MUS__SEAM_OPENINGS] = s.nopening;
 }

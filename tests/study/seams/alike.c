@@ -1,0 +1,86 @@
+/*
+ * alike.c: sewings that differ only by panels of one shape: the judge of `make seams` counts them as the same.
+ *
+ * Panels are exchanged only where lengths, angles, curvature, notches and grain agree edge by edge, not mirrored.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "alike.h"
+
+#define ALIKE_LENGTH 5e-4 /* [m] lengths of panels that can stand for one another */
+#define ALIKE_ANGLE 0.01  /* [rad] and their angles; relative arc length of notches */
+
+
+/* whether edges a and b of two panels are alike: lengths, angles, curvature, notches; `turned`: one upside down */
+static bool alike(const mus__seam_facts *f, const mus__seam_edge *a, const mus__seam_edge *b, bool turned)
+{
+    const double sign = turned ? -1.0 : 1.0;
+    if (fabs(a->length - b->length) > ALIKE_LENGTH || fabs(a->start - b->start) > ALIKE_ANGLE ||
+        fabs(a->end - b->end) > ALIKE_ANGLE || fabs(a->turn - b->turn) > ALIKE_ANGLE ||
+        fabs(a->normal[0] - sign * b->normal[0]) > ALIKE_ANGLE ||
+        fabs(a->normal[1] - sign * b->normal[1]) > ALIKE_ANGLE || a->nnotch != b->nnotch)
+        return false;
+    for (int32_t i = 0; i < 2 * a->nnotch; i++)
+        if (fabs(f->notches[2 * a->notch + i] - f->notches[2 * b->notch + i]) > ALIKE_ANGLE) return false;
+    return true;
+}
+
+
+/* exchanges panels p and q, edge i of p for edge i + shift of q, in the sewing; false where the two are not alike.
+ * With p = q the panel is turned upside down. */
+static bool exchange(const mus__seam_facts *f, int32_t p, int32_t q, int32_t shift, int32_t *mate, int32_t *work)
+{
+    const mus__seam_panel *a = &f->panels[p], *b = &f->panels[q];
+    bool upright = true, turned = true;
+    for (int32_t i = 0; i < f->n; i++) work[i] = i;
+    for (int32_t i = 0; i < a->n; i++) {
+        const int32_t x = a->first + i, y = b->first + (i + shift) % b->n;
+        if (f->edges[x].next != a->first + (i + 1) % a->n || f->edges[y].next != b->first + (i + shift + 1) % b->n)
+            return false;
+        upright = upright && alike(f, &f->edges[x], &f->edges[y], false);
+        turned = turned && alike(f, &f->edges[x], &f->edges[y], true);
+        work[x] = y;
+        if (p != q) work[y] = x;
+    }
+    if (!upright && !turned) return false;
+    for (int32_t i = 0; i < f->n; i++) work[f->n + work[i]] = mate[i] == MUS_NONE ? MUS_NONE : work[mate[i]];
+    memcpy(mate, work + f->n, sizeof *mate * (size_t)f->n);
+    return true;
+}
+
+
+int32_t seams_wrong(const mus__seam_facts *f, const int32_t *truth, const int32_t *mate)
+{
+    int32_t wrong = 0;
+    for (int32_t a = 0; a < f->n; a++)
+        wrong += (mate[a] > a && truth[a] != mate[a]) + (truth[a] > a && truth[a] != mate[a]);
+    return wrong;
+}
+
+
+void seams_match(const mus__seam_facts *f, int32_t *truth, const int32_t *mate)
+{
+    const size_t bytes = sizeof *mate * (size_t)f->n;
+    int32_t *work = malloc(3 * bytes + 1), *before = work + 2 * f->n, wrong = seams_wrong(f, truth, mate);
+    bool moved = wrong > 0;
+    while (moved) {
+        moved = false;
+        for (int32_t p = 0; p < f->npanel; p++)
+            for (int32_t q = p; q < f->npanel; q++)
+                for (int32_t shift = p == q; f->panels[p].n == f->panels[q].n && shift < f->panels[p].n; shift++) {
+                    memcpy(before, truth, bytes);
+                    if (!exchange(f, p, q, shift, truth, work)) continue;
+                    const int32_t now = seams_wrong(f, truth, mate);
+                    if (now < wrong) {
+                        wrong = now;
+                        moved = true;
+                    } else {
+                        memcpy(truth, before, bytes);
+                    }
+                }
+    }
+    free(work);
+}

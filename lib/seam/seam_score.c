@@ -18,7 +18,6 @@
 #define NOTCHES_SPREAD 0.02 /* relative arc length, the same of notches */
 #define ANGLES_SPREAD 0.1   /* [rad] the same of the angle of a vertex */
 #define DART_WEDGE 1.2      /* [rad] widest dart; chosen: a quarter more than a bust dart of a large cup */
-#define FLAT 0.2            /* [rad] a corner that is nearer to the half turn is a point of a line */
 #define OPENING_SMALL 0.15  /* [m] a shorter opening lets no hand through; chosen: half the girth of a child's wrist */
 #define CURVED 0.3          /* [rad] turn of an edge that counts as curved */
 #define ALIGNED 0.92        /* cosine of the angle between directions that count as one: 23 degrees */
@@ -275,7 +274,7 @@ static void walk_vertex(surface *s, int32_t e)
         if (k > 0 && c == first) break;
         s->seen[c] = 1;
         const int32_t before_c = edges[c].prev;
-        if (fabs(edges[c].start - MUS__SEAM_PI) < FLAT) {
+        if (fabs(edges[c].start - MUS__SEAM_PI) < 2.0 * ANGLES_SPREAD) {
             flat++;
             if (s->mate[c] != MUS_NONE && s->mate[before_c] != MUS_NONE)
                 join_line(s, before_c, c);

@@ -14,6 +14,8 @@
 #include "base/sort.h"
 
 #define FACTS_CHORDS 8 /* chords of a curve; chosen: directions at its ends are right within 0.1 rad */
+#define OFF_CENTRE 0.05 /* half widths of a panel, an edge that is not on its middle */
+#define INWARDS 0.4     /* cosine to the direction of the centre; chosen: side seams lean by 66 degrees at most */
 #define MIRROR_LENGTH 3e-3 /* relative difference of images; chosen: above the rounding of files, below an ease */
 #define MIRROR_ANGLE 0.05  /* [rad] the same of corners */
 #define MIRROR_NORMAL 0.1  /* the same of normals */
@@ -169,13 +171,16 @@ static void read_shape(const facts_work *w, int32_t i, mus__seam_edge *edge)
     edge->normal[0] = d[1] / chord;
     edge->normal[1] = -d[0] / chord;
     edge->height = 0.5 * (p[1] + p[2 * n - 1]);
+    edge->across = 0.5 * (p[0] + p[2 * n - 2]);
 }
 
 
 static void read_corners(const facts_work *w, int32_t first, int32_t n)
 {
-    double low = HUGE_VAL, high = -HUGE_VAL;
+    double low = HUGE_VAL, high = -HUGE_VAL, left = HUGE_VAL, right = -HUGE_VAL;
     for (int32_t k = 0; k < w->nxy; k++) {
+        left = fmin(left, w->xy[2 * (size_t)k]);
+        right = fmax(right, w->xy[2 * (size_t)k]);
         low = fmin(low, w->xy[2 * (size_t)k + 1]);
         high = fmax(high, w->xy[2 * (size_t)k + 1]);
     }
@@ -184,6 +189,7 @@ static void read_corners(const facts_work *w, int32_t first, int32_t n)
         double u[2], v[2];
         read_shape(w, i, edge);
         edge->height = (edge->height - low) / fmax(1e-9, high - low);
+        edge->across = 2.0 * (edge->across - left) / fmax(1e-9, right - left) - 1.0;
         chord_of(w, i, true, u);
         chord_of(w, edge->next - first, false, v);
         edge->end = next->start = MUS__SEAM_PI - turn_of(u, v);
@@ -206,6 +212,22 @@ static void read_ring(const facts_work *w, int32_t first, int32_t n)
 }
 
 
+/* where the edges of a panel lie on the body, as far as its sides tell. Seen from outside, the wearer's left is to the
+ * right of a front and to the left of a back. */
+static void read_places(const mus__seam_facts *facts, const mus__seam_panel *panel)
+{
+    const int32_t lateral = ((panel->sides & MUS_SIDE_LEFT) != 0) - ((panel->sides & MUS_SIDE_RIGHT) != 0);
+    const int32_t along = ((panel->sides & MUS_SIDE_FRONT) != 0) - ((panel->sides & MUS_SIDE_BACK) != 0);
+    for (int32_t i = panel->first; i < panel->first + panel->n; i++) {
+        mus__seam_edge *edge = &facts->edges[i];
+        edge->half = lateral;
+        if (lateral == 0) edge->half = along * ((edge->across > OFF_CENTRE) - (edge->across < -OFF_CENTRE));
+        const double inwards = -edge->normal[0] * along * edge->half;
+        edge->inwards = (inwards > INWARDS) - (inwards < -INWARDS);
+    }
+}
+
+
 static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
 {
     mus__seam_facts *facts = w->facts;
@@ -219,6 +241,7 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
     read_corners(w, panel->first, panel->n);
     panel->key = 0;
     panel->image = MUS_NONE;
+    panel->like = p;
     panel->sure = false;
     for (int32_t i = panel->first; i < panel->first + panel->n; i++) {
         mus__seam_edge *edge = &facts->edges[i];
@@ -232,6 +255,7 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
         panel->key += k * k * UINT64_C(0x9E3779B97F4A7C15) + (k ^ (k << 29));
     }
     panel->sides = mus_pattern_panel_sides(w->pattern, p, NULL);
+    read_places(facts, panel);
     const char *label = mus_pattern_panel_label(w->pattern, p);
     panel->label = text_hash(label, strlen(label));
     read_name(mus_pattern_panel_name(w->pattern, p), panel);
@@ -316,6 +340,10 @@ static int32_t count_alike(const mus__seam_facts *facts, const mus__seam_panel *
 
 static void find_images(mus__seam_facts *facts)
 {
+    for (int32_t p = 0; p < facts->npanel; p++)
+        for (int32_t q = p - 1; q >= 0; q--)
+            if (facts->panels[q].n == facts->panels[p].n && facts->panels[q].key == facts->panels[p].key)
+                facts->panels[p].like = q;
     for (int32_t rank = 4; rank >= 0; rank--)
         for (int32_t p = 0; p < facts->npanel; p++)
             for (int32_t q = p; q < facts->npanel; q++) {

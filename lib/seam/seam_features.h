@@ -17,25 +17,22 @@
     X(TURN_SUM, "turns that differ as of complementary curves [rad]")                                                \
     X(TURN_BOTH, "turns that differ from complementary and from equal [rad]")                                        \
     X(CONVEX, "a convex edge to a concave one")                                                                      \
-    X(STRAIGHT, "both straight")                                                                                     \
     X(MIRROR, "normals are mirror images")                                                                           \
     X(OPPOSED, "normals are opposite")                                                                               \
-    X(DIRECTION, "the better agreement of the normals")                                                              \
     X(UPWARD, "sum of the normals' heights")                                                                         \
     X(CORNER, "corners that add up to a straight line, 0 to 2")                                                      \
     X(SAME, "one panel")                                                                                             \
+    X(CENTRE_SEAM, "left to right, both edges towards the centre")                                                   \
+    X(CROSSED, "left to right otherwise")                                                                            \
+    X(ONE_HALF, "both on one half of the body")                                                                      \
+    X(SIDES_AGREE, "front to back on one half: both towards the centre or both away")                                \
+    X(SIDES_DIFFER, "front to back on one half: one towards the centre, one away")                                   \
     X(DART, "neighbours of one panel with a narrow wedge")                                                           \
-    X(DART_EQUAL, "the same of equal length")                                                                        \
-    X(SAME_EQUAL, "edges of one panel of equal length")                                                              \
-    X(ACROSS, "left to right")                                                                                       \
-    X(ONE_SIDE, "left to left, right to right")                                                                      \
+    X(DART_DOWN, "the same, open downwards")                                                                         \
     X(FRONT_BACK, "front to back")                                                                                   \
     X(FRONT_FRONT, "front to front, back to back")                                                                   \
-    X(FRONT_BACK_MIRROR, "front to back with mirrored normals")                                                      \
     X(CENTRE, "an edge to its own mirror image")                                                                     \
-    X(CENTRE_VERTICAL, "the same, upright")                                                                          \
     X(TWIN, "panels of equal edges")                                                                                 \
-    X(TWIN_EQUAL, "panels of equal edges, lengths within 0.2 %")                                                     \
     X(NOTCH_OK, "notches agree in number and kind")                                                                  \
     X(NOTCH_PLACE, "notches agree in place")                                                                         \
     X(NOTCH_BAD, "notches disagree")                                                                                 \
@@ -43,18 +40,8 @@
     X(WORDS, "share of common words of the panels' names")                                                           \
     X(NUMBERS, "names that differ by one in a number")                                                               \
     X(HEIGHT, "difference of the heights within the panels")                                                         \
-    X(SIDE, "upright seam of front and back: equal lengths, mirrored normals")                                       \
-    X(MIRROR_EQUAL, "two panels: lengths within 1 %, mirrored normals")                                              \
-    X(OPPOSED_EQUAL, "two panels: lengths within 1 %, opposite normals")                                             \
-    X(TUBE, "one panel: equal lengths, mirrored normals")                                                            \
     X(CURVE_EQUAL, "lengths within 1 % and equal turns, both curved")                                                \
-    X(CURVE_FITS, "lengths within 5 %, a convex edge to a concave one")                                              \
     X(UNEQUAL_TURN, "turns that differ where lengths do")                                                            \
-    X(WAIST, "an edge that looks down to one that looks up")                                                         \
-    X(WAIST_SIDES, "the same of panels on one side, front or back")                                                  \
-    X(BOTH_DOWN, "both look down")                                                                                   \
-    X(BOTH_UP, "both look up")                                                                                       \
-    X(EASED_SIDE, "lengths beyond 5 %, edges that look sideways")                                                    \
     X(JILTED, "edges that leave one of equal length, 0 to 2")                                                        \
     X(SHORT, "length of the shorter by the longest of the pattern")
 
@@ -88,7 +75,6 @@
     X(OPEN_3_OFF, "angle of 3 and more corners from the half turn")                                                  \
     X(OPEN_2_FLAT, "2 corners that make a half turn")                                                                \
     X(OPEN_3_FLAT, "3 and more corners that make a half turn")                                                       \
-    X(OPEN_REFLEX, "vertex of an opening of more than 220 degrees")                                                  \
     X(LINE, "seams that go on in one another")                                                                       \
     X(LINE_SAME, "the same, ratios of the lengths within 1 %")                                                       \
     X(LINE_GATHER, "the same of unequal lengths")                                                                    \
@@ -102,6 +88,8 @@
     X(OPENINGS_4, "garments of 4 openings")                                                                          \
     X(OPENINGS_MORE, "openings beyond the fifth")                                                                    \
     X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
+    X(FREE_CENTRE, "a free edge towards the centre, of a left or right panel")                                       \
+    X(UNLIKE, "free edges of a panel more or less than those of another of its shape")                               \
     X(UNEVEN, "seams whose mirror image is none, of panels of which it is known")                                    \
     X(UNEVEN_FREE, "free edges whose mirror image is sewn, likewise")
 

@@ -26,7 +26,6 @@
 
 #define MUS__SEAM_EQUAL_LENGTHS 2e-3 /* relative difference of equal lengths; chosen: 1 mm of a side seam */
 #define MUS__SEAM_EQUAL_RATIOS 0.01  /* the same of ratios of lengths along a line of seams; chosen: cuts to 1 mm */
-
 /* one edge of an outline, in the direction of the outline; the panel as its right side is seen, the grain upwards */
 typedef struct mus__seam_edge {
     int32_t edge;      /* in the pattern */
@@ -40,13 +39,14 @@ typedef struct mus__seam_edge {
     double turn;       /* [rad] sum of the exterior angles along it; positive: convex */
     double normal[2];  /* of its chord, outwards */
     double start, end; /* [rad] interior angles of the panel at its ends */
-    double height;     /* of its middle within the panel, 0 (bottom) to 1 */
+    double height, across; /* of its middle within the panel: 0 (bottom) to 1, -1 to 1 from side to side */
+    int32_t half, inwards; /* 1 on the wearer's left, -1 right; 1 looks to the body's centre, -1 away; 0 not known */
 } mus__seam_edge;
 
 typedef struct mus__seam_panel {
     int32_t first, n; /* its edges */
     int32_t sides;
-    int32_t image;    /* panel that is its mirror image, MUS_NONE without one */
+    int32_t image, like; /* panel that is its mirror image, MUS_NONE without one; first panel of its shape */
     bool sure;        /* names or shapes leave no other image */
     uint64_t key;     /* equal for panels of equal edges */
     uint32_t label;
@@ -74,11 +74,11 @@ void mus__seam_free(mus__seam_facts *facts);
 /* number of other edges whose length differs from that of edge a by less than the ratio */
 int32_t mus__seam_count_near(const mus__seam_facts *facts, int32_t a, double ratio);
 
-/* features (MUS__SEAM_PAIRS) of the seam of edges a and b */
+/* features (MUS__SEAM_PAIRS) of a seam */
 void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out);
 
 /* scratch memory of mus__seam_whole(), integers */
-#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 2 * (facts)->npanel)
+#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 3 * (facts)->npanel)
 
 /* features (MUS__SEAM_WHOLES) of a sewing, mate (n) */
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out);

@@ -7,6 +7,7 @@
  * handles: the Euler characteristic is 2 (components - handles) - openings.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "seam/seam_find.h"
@@ -19,10 +20,8 @@
 #define DART_WEDGE 1.2      /* [rad] widest dart; chosen: a quarter more than a bust dart of a large cup */
 #define FLAT 0.2            /* [rad] a corner that is nearer to the half turn is a point of a line */
 #define OPENING_SMALL 0.15  /* [m] a shorter opening lets no hand through; chosen: half the girth of a child's wrist */
-#define OPENING_REFLEX 3.84 /* [rad] 220 degrees */
 #define CURVED 0.3          /* [rad] turn of an edge that counts as curved */
 #define ALIGNED 0.92        /* cosine of the angle between directions that count as one: 23 degrees */
-#define NARROW 0.02         /* [rad] turn of an edge that counts as straight */
 
 
 static double bell(double x, double spread)
@@ -63,10 +62,8 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
     out[MUS__SEAM_TURN_SUM] = fmin(sum, 1.5);
     out[MUS__SEAM_TURN_BOTH] = fmin(fmin(sum, difference), 1.5);
     out[MUS__SEAM_CONVEX] = fmin(x->turn, y->turn) < -CURVED && fmax(x->turn, y->turn) > CURVED;
-    out[MUS__SEAM_STRAIGHT] = fabs(x->turn) < NARROW && fabs(y->turn) < NARROW;
     out[MUS__SEAM_MIRROR] = mus__exp((mirror - 1.0) / NORMALS_SPREAD);
     out[MUS__SEAM_OPPOSED] = mus__exp((opposed - 1.0) / NORMALS_SPREAD);
-    out[MUS__SEAM_DIRECTION] = fmax(mirror, opposed);
     out[MUS__SEAM_UPWARD] = x->normal[1] + y->normal[1];
     out[MUS__SEAM_CORNER] =
         bell(x->start + y->end - MUS__SEAM_PI, CORNERS_SPREAD) + bell(x->end + y->start - MUS__SEAM_PI, CORNERS_SPREAD);
@@ -76,12 +73,24 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
 static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
 {
     const mus__seam_edge *x = &facts->edges[a];
-    const bool equal = out[MUS__SEAM_EQUAL] > 0.0, next = x->next == b, prev = x->prev == b;
+    const bool next = x->next == b, prev = x->prev == b;
     const double wedge = 2.0 * MUS__SEAM_PI - (next ? x->end : x->start);
     out[MUS__SEAM_SAME] = 1.0;
     out[MUS__SEAM_DART] = (next || prev) && wedge < DART_WEDGE;
-    out[MUS__SEAM_DART_EQUAL] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_NEAR] > 0.0;
-    out[MUS__SEAM_SAME_EQUAL] = equal && !next && !prev;
+    out[MUS__SEAM_DART_DOWN] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_UPWARD] < 0.0;
+}
+
+
+/* the halves of the body: a seam crosses the centre only between edges that look to it */
+static void pair_halves(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+{
+    const int32_t halves = x->half * y->half, sides = x->inwards * y->inwards;
+    const bool front_back = out[MUS__SEAM_FRONT_BACK] > 0.0;
+    out[MUS__SEAM_CENTRE_SEAM] = halves < 0 && x->inwards > 0 && y->inwards > 0;
+    out[MUS__SEAM_CROSSED] = halves < 0 && out[MUS__SEAM_CENTRE_SEAM] <= 0.0;
+    out[MUS__SEAM_ONE_HALF] = halves > 0;
+    out[MUS__SEAM_SIDES_AGREE] = halves > 0 && front_back && sides > 0;
+    out[MUS__SEAM_SIDES_DIFFER] = halves > 0 && front_back && sides < 0;
 }
 
 
@@ -101,15 +110,10 @@ static double common_words(const mus__seam_panel *p, const mus__seam_panel *q)
 
 static void pair_panels(const mus__seam_panel *p, const mus__seam_panel *q, double *out)
 {
-    const int32_t lateral = MUS_SIDE_LEFT | MUS_SIDE_RIGHT, along = MUS_SIDE_FRONT | MUS_SIDE_BACK;
-    const int32_t ps = p->sides & lateral, qs = q->sides & lateral, pa = p->sides & along, qa = q->sides & along;
-    out[MUS__SEAM_ACROSS] = ps != 0 && qs != 0 && ps != qs;
-    out[MUS__SEAM_ONE_SIDE] = ps != 0 && ps == qs;
+    const int32_t along = MUS_SIDE_FRONT | MUS_SIDE_BACK, pa = p->sides & along, qa = q->sides & along;
     out[MUS__SEAM_FRONT_BACK] = pa != 0 && qa != 0 && pa != qa;
     out[MUS__SEAM_FRONT_FRONT] = p != q && pa != 0 && pa == qa;
-    out[MUS__SEAM_FRONT_BACK_MIRROR] = out[MUS__SEAM_FRONT_BACK] * out[MUS__SEAM_MIRROR];
     out[MUS__SEAM_TWIN] = p != q && p->key == q->key;
-    out[MUS__SEAM_TWIN_EQUAL] = out[MUS__SEAM_TWIN] * out[MUS__SEAM_EQUAL];
     out[MUS__SEAM_LABEL] = p != q && p->label == q->label;
     out[MUS__SEAM_WORDS] = p != q ? common_words(p, q) : 0.0;
     out[MUS__SEAM_NUMBERS] = p->number != MUS_NONE && q->number != MUS_NONE && p->stem == q->stem &&
@@ -131,29 +135,6 @@ static void pair_notches(const mus__seam_facts *facts, const mus__seam_edge *x, 
     out[MUS__SEAM_NOTCH_OK] = same;
     out[MUS__SEAM_NOTCH_BAD] = !same;
     out[MUS__SEAM_NOTCH_PLACE] = same ? bell(off, NOTCHES_SPREAD) : 0.0;
-}
-
-
-/* features of two kinds at once, which a sum of the two does not tell */
-static void pair_both(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
-{
-    const bool near = out[MUS__SEAM_NEAR] > 0.0, other = x->panel != y->panel;
-    const bool curved = fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
-    const double high = fmax(x->normal[1], y->normal[1]), low = fmin(x->normal[1], y->normal[1]);
-    const bool sides = out[MUS__SEAM_FRONT_FRONT] > 0.0 && out[MUS__SEAM_ACROSS] <= 0.0;
-    const double mirror = near ? out[MUS__SEAM_MIRROR] : 0.0, opposed = near ? out[MUS__SEAM_OPPOSED] : 0.0;
-    out[MUS__SEAM_SIDE] = out[MUS__SEAM_FRONT_BACK] > 0.0 && fabs(x->normal[0]) > 0.7 ? mirror : 0.0;
-    out[MUS__SEAM_MIRROR_EQUAL] = other ? mirror : 0.0;
-    out[MUS__SEAM_OPPOSED_EQUAL] = other ? opposed : 0.0;
-    out[MUS__SEAM_TUBE] = out[MUS__SEAM_SAME_EQUAL] * out[MUS__SEAM_MIRROR];
-    out[MUS__SEAM_CURVE_EQUAL] = near && curved;
-    out[MUS__SEAM_CURVE_FITS] = out[MUS__SEAM_CLOSE] * out[MUS__SEAM_CONVEX];
-    out[MUS__SEAM_UNEQUAL_TURN] = near ? 0.0 : out[MUS__SEAM_TURN_BOTH];
-    out[MUS__SEAM_WAIST] = other && high > 0.9 && low < -0.9;
-    out[MUS__SEAM_WAIST_SIDES] = sides ? out[MUS__SEAM_WAIST] : 0.0;
-    out[MUS__SEAM_BOTH_DOWN] = high < -0.9;
-    out[MUS__SEAM_BOTH_UP] = low > 0.9;
-    out[MUS__SEAM_EASED_SIDE] = out[MUS__SEAM_CLOSE] <= 0.0 && fabs(x->normal[0]) > 0.9 && fabs(y->normal[0]) > 0.9;
 }
 
 
@@ -188,9 +169,10 @@ void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *
     if (x->panel == y->panel) pair_panel(facts, a, b, out);
     pair_panels(&facts->panels[x->panel], &facts->panels[y->panel], out);
     pair_notches(facts, x, y, out);
-    pair_both(x, y, out);
+    pair_halves(x, y, out);
+    out[MUS__SEAM_CURVE_EQUAL] = out[MUS__SEAM_NEAR] > 0.0 && fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
+    out[MUS__SEAM_UNEQUAL_TURN] = out[MUS__SEAM_NEAR] > 0.0 ? 0.0 : out[MUS__SEAM_TURN_BOTH];
     out[MUS__SEAM_CENTRE] = x->mirror == b;
-    out[MUS__SEAM_CENTRE_VERTICAL] = x->mirror == b && fabs(x->normal[0]) > 0.9;
     out[MUS__SEAM_HEIGHT] = x->panel != y->panel ? fabs(x->height - y->height) : 0.0;
     out[MUS__SEAM_KIND + pair_kind(facts, x, y, out)] = 1.0;
 }
@@ -206,6 +188,7 @@ typedef struct surface {
     int32_t *done;  /* (n) free edges */
     int32_t *part;  /* (npanel) parent in the forest of components */
     int32_t *openings; /* (npanel) of the component of which the panel is the root */
+    int32_t *free;     /* (npanel) free edges */
     int32_t nvertex, nopening;
     double *out;
 } surface;
@@ -226,6 +209,8 @@ static void free_edge(const surface *s, int32_t a)
     s->out[MUS__SEAM_FREE_UP_HIGH] += x->normal[1] > 0.9 && x->height > 0.8;
     s->out[MUS__SEAM_FREE_CONCAVE_HIGH] += x->turn < -CURVED && x->height > 0.5;
     s->out[MUS__SEAM_FREE_ALONE] += x->alone;
+    s->out[MUS__SEAM_FREE_CENTRE] += x->half != 0 && x->inwards > 0;
+    s->free[x->panel]++;
     s->out[MUS__SEAM_UNEVEN_FREE] +=
         x->mirror != MUS_NONE && s->facts->panels[x->panel].sure && s->mate[x->mirror] != MUS_NONE;
 }
@@ -259,7 +244,6 @@ static void open_vertex(double *out, int32_t k, double angle)
         out[MUS__SEAM_OPEN_3_OFF] += off;
         out[MUS__SEAM_OPEN_3_FLAT] += flat;
     }
-    if (k > 1) out[MUS__SEAM_OPEN_REFLEX] += angle > OPENING_REFLEX;
 }
 
 
@@ -364,6 +348,7 @@ static void count_openings(const surface *s)
 {
     for (int32_t p = 0; p < s->facts->npanel; p++) {
         const int32_t n = s->openings[p];
+        s->out[MUS__SEAM_UNLIKE] += abs(s->free[p] - s->free[s->facts->panels[p].like]);
         if (s->facts->panels[p].n == 0 || s->part[p] != p) continue;
         s->out[MUS__SEAM_SEALED] += n < 2;
         s->out[MUS__SEAM_OPENINGS_2] += n == 2;
@@ -390,10 +375,11 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
                  .done = scratch + 2 * n,
                  .part = scratch + 4 * n,
                  .openings = scratch + 4 * n + facts->npanel,
+                 .free = scratch + 4 * n + 2 * facts->npanel,
                  .out = out};
     int32_t seams = 0, faces = 0;
     memset(scratch, 0, 3 * sizeof *scratch * (size_t)n);
-    memset(s.openings, 0, sizeof *scratch * (size_t)facts->npanel);
+    memset(s.openings, 0, 2 * sizeof *scratch * (size_t)facts->npanel);
     memset(out, 0, MUS__SEAM_WHOLES * sizeof *out);
     for (int32_t a = 0; a < n; a++) {
         const int32_t b = mate[a];

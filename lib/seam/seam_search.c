@@ -252,18 +252,28 @@ static double next_random(uint64_t *state)
 }
 
 
+/* number of a change in mus__seam_change_list(); mates of high score more often than others */
+static int32_t random_change(const mus__seam_search *search, uint64_t *random)
+{
+    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, all = search->facts->n * each + search->facts->npanel;
+    const int32_t i = (int32_t)(next_random(random) * all), k = i % each;
+    if (i >= search->facts->n * each || k < 2) return i;
+    const double u = next_random(random);
+    return i - (k - 2) / CHANGES_OF_MATE * CHANGES_OF_MATE + (int32_t)(u * u * search->nnear) * CHANGES_OF_MATE;
+}
+
+
 /* simulated annealing (Kirkpatrick, Gelatt and Vecchi 1983) from `mate`: the sewing at its end */
 static void anneal(mus__seam_search *search, int32_t steps, uint64_t *random, int32_t *mate)
 {
     const mus__seam_facts *facts = search->facts;
     const size_t bytes = sizeof *mate * (size_t)facts->n;
-    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, all = facts->n * each + facts->npanel;
     double score = mus__seam_score(search, mate);
     for (int32_t step = 0; step < steps; step++) {
         const double heat = SEARCH_HEAT * (1.0 - (double)step / steps);
         mus__seam_change change;
         memcpy(search->trial, mate, bytes);
-        if (!mus__seam_change_list(search, (int32_t)(next_random(random) * all), &change)) continue;
+        if (!mus__seam_change_list(search, random_change(search, random), &change)) continue;
         if (!mus__seam_change_apply(facts, &change, search->trial)) continue;
         const double trial = mus__seam_score(search, search->trial);
         if (trial < score && next_random(random) > mus__exp((trial - score) / fmax(heat, 1e-9))) continue;

@@ -61,10 +61,25 @@ int32_t seams_wrong(const mus__seam_facts *f, const int32_t *truth, const int32_
 }
 
 
+/* turns all panels upside down at once that are the same so: the parts of a garment may be turned together */
+static void turn_all(const mus__seam_facts *f, int32_t *truth, const int32_t *mate, int32_t *work)
+{
+    int32_t *turned = work + 3 * f->n;
+    memcpy(turned, truth, sizeof *truth * (size_t)f->n);
+    for (int32_t p = 0; p < f->npanel; p++)
+        for (int32_t shift = 1; shift < f->panels[p].n; shift++)
+            if (exchange(f, p, p, shift, turned, work)) break;
+    if (seams_wrong(f, turned, mate) < seams_wrong(f, truth, mate))
+        memcpy(truth, turned, sizeof *truth * (size_t)f->n);
+}
+
+
 void seams_match(const mus__seam_facts *f, int32_t *truth, const int32_t *mate)
 {
     const size_t bytes = sizeof *mate * (size_t)f->n;
-    int32_t *work = malloc(3 * bytes + 1), *before = work + 2 * f->n, wrong = seams_wrong(f, truth, mate);
+    int32_t *work = malloc(4 * bytes + 1), *before = work + 2 * f->n;
+    turn_all(f, truth, mate, work);
+    int32_t wrong = seams_wrong(f, truth, mate);
     bool moved = wrong > 0;
     while (moved) {
         moved = false;

@@ -29,7 +29,7 @@
 #include "seam/seam_find.h"
 
 #define D MUS__SEAM_FEATURES
-#define RIDGE 1.0         /* in units of one row */
+#define RIDGE 2.0  /* in units of one group */
 #define ROUNDS_FIT 6 /* of search and regression */
 #define FAR 5.0      /* a sewing whose score is so far below that of the right one is left out */
 #define BINS 10
@@ -541,7 +541,7 @@ static void fit_weights(newton *fit)
 
 int main(int argc, char **argv)
 {
-    int32_t every = 8, rounds = 2;
+    int32_t every = 8, rounds = 4;
     const char *out = NULL;
     bool list = false;
     mus_context *context = NULL;

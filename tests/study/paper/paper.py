@@ -16,7 +16,9 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
     piece    every piece that sewing needs is there, by the words of the design: a table by closure, neck, pocket, waist
 
-    python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2]
+    python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2] [--table]
+
+With --table the pieces alone are asked, of the pattern files: a minute for all designs.
 
 Limits are beside the checks. Exit 1 when one is passed. Needs no package.
 """
@@ -742,6 +744,14 @@ def print_needs(table):
     return missing
 
 
+def table_of(job):
+    """check_design() of the pieces alone, of the pattern file."""
+    command, design, garment, size = job
+    done = subprocess.run([command, "draft", "--design", design, "--size", size, "-o", "-"], capture_output=True, check=True)
+    return design, size, {}, {"darts": 0, "pieces": 0, "needs": needs(axes_of(command, design, garment),
+                                                                      json.loads(done.stdout))}
+
+
 def check_design(job):
     """{check: (worst, where)} of one design in one size, and the number of darts."""
     command, design, garment, size = job
@@ -796,6 +806,7 @@ def main():
     ask.add_argument("--sizes", default="W40,M50,C116", help="a design is drafted in those that it is made for")
     ask.add_argument("--every", type=int, default=1, help="every n-th design")
     ask.add_argument("--designs", default="", help="these alone")
+    ask.add_argument("--table", action="store_true", help="the table of needed pieces alone")
     ask.add_argument("--jobs", type=int, default=1)
     args = ask.parse_args()
     rows = json.loads(subprocess.run([args.command, "designs", "--json"], capture_output=True, check=True).stdout)
@@ -805,7 +816,7 @@ def main():
             if group[size[0]] in row.get("groups", ["women"])]
     worst, over, darts, pieces, table = {}, 0, 0, 0, {}
     with concurrent.futures.ProcessPoolExecutor(args.jobs) as pool:
-        for design, size, found, count in pool.map(check_design, jobs, chunksize=4):
+        for design, size, found, count in pool.map(table_of if args.table else check_design, jobs, chunksize=4):
             darts += count["darts"]
             for row, least, own in count["needs"]:
                 asked, there, example = table.get((row, least), (0, 0, ""))
@@ -819,7 +830,7 @@ def main():
                     print(f"{design} {size}: {check} {value:.3f} (limit {LIMITS[check]}): {where}")
                 if check not in worst or value > worst[check][0]:
                     worst[check] = (value, f"{design} {size} {where}")
-    print(f"{len(jobs)} patterns, {pieces} pieces, {darts} darts, {over} over a limit")
+    print(f"{len(jobs)} patterns" + ("" if args.table else f", {pieces} pieces, {darts} darts, {over} over a limit"))
     for check, limit in LIMITS.items():
         if check in worst:
             print(f"  {check:7} worst {worst[check][0]:8.3f} of {limit}: {worst[check][1]}")

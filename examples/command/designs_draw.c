@@ -181,7 +181,9 @@ static int tile_make(const source *from, int32_t design, unsigned char *tile)
     int code = scene_open(&s, "designs");
     if (code == EXIT_DONE) code = design_draft(&s, design, given ? from : &(source){0});
     if (code == EXIT_DONE) {
-        const mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
+        /* the garment, without facings and small parts */
+        mus_status status = mus_pattern_set_cut_only(s.pattern, NULL);
+        if (status == MUS_OK) status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status != MUS_OK) code = scene_fail(&s, status);
     }
     const int32_t pieces = code == EXIT_DONE ? mus_sheet_piece_count(sheet) : 0;

@@ -1,6 +1,7 @@
 /*
  * design.c: a design drafted: tape to measures and skeleton, eases, the parts that its words ask for (lib/style) on a
- * cutting table as a left half, doubled, written as a pattern and checked.
+ * cutting table as a left half, doubled, written as a pattern, given the panels that are not draped (lib/finish) and
+ * checked.
  *
  * The room: words.c and word_rules.c read words to a style; design_table_*.c hold the named designs, design_list.c
  * answers for them; draft_inputs.c checks options and reads the tape; grade.c compares and moves sizes.
@@ -11,6 +12,7 @@
 #include "board/board_notch.h"
 #include "design/draft.h"
 #include "design/words.h"
+#include "finish/cut_only.h"
 #include "style/style_parts.h"
 
 
@@ -99,6 +101,7 @@ mus_status mus__style_draft(mus_context *context, const char *name, const mus__s
     mus__board_write(&half.board, &pattern);
     status = half.board.status;
     mus__board_free(&half.board);
+    if (status == MUS_OK) status = mus__cut_only_make(style, mus__measures_scale(&half.measures), pattern);
     if (status == MUS_OK) status = mus__design_check(context, pattern);
     if (status == MUS_OK) *out = pattern;
     else mus_pattern_destroy(pattern);

@@ -37,6 +37,9 @@
 /* allowances of dressmaking practice [m]: a seam that is pressed open; a hem that is turned twice */
 #define MUS__SEAM_ALLOWANCE 0.010
 #define MUS__HEM_ALLOWANCE 0.025
+#define MUS__BUTTON_STAND (1.75 * MUS__CM) /* [m] a front laps over its centre by; the diameter of a button */
+/* length of a rib as part of the edge that it is sewn to; chosen: between the 0.85 and 0.9 of cutting practice */
+#define MUS__RIB_PART 0.87
 
 typedef struct mus__half {
     mus_context *context;

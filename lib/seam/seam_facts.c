@@ -14,6 +14,8 @@
 #include "base/sort.h"
 
 #define FACTS_CHORDS 8 /* chords of a curve; chosen: directions at its ends are right within 0.1 rad */
+#define OFF_CENTRE 0.05 /* half widths of a panel, an edge that is not on its middle */
+#define INWARDS 0.4     /* cosine to the direction of the centre; chosen: side seams lean by 66 degrees at most */
 #define MIRROR_LENGTH 3e-3 /* relative difference of images; chosen: above the rounding of files, below an ease */
 #define MIRROR_ANGLE 0.05  /* [rad] the same of corners */
 #define MIRROR_NORMAL 0.1  /* the same of normals */
@@ -169,13 +171,16 @@ static void read_shape(const facts_work *w, int32_t i, mus__seam_edge *edge)
     edge->normal[0] = d[1] / chord;
     edge->normal[1] = -d[0] / chord;
     edge->height = 0.5 * (p[1] + p[2 * n - 1]);
+    edge->across = 0.5 * (p[0] + p[2 * n - 2]);
 }
 
 
 static void read_corners(const facts_work *w, int32_t first, int32_t n)
 {
-    double low = HUGE_VAL, high = -HUGE_VAL;
+    double low = HUGE_VAL, high = -HUGE_VAL, left = HUGE_VAL, right = -HUGE_VAL;
     for (int32_t k = 0; k < w->nxy; k++) {
+        left = fmin(left, w->xy[2 * (size_t)k]);
+        right = fmax(right, w->xy[2 * (size_t)k]);
         low = fmin(low, w->xy[2 * (size_t)k + 1]);
         high = fmax(high, w->xy[2 * (size_t)k + 1]);
     }
@@ -184,6 +189,7 @@ static void read_corners(const facts_work *w, int32_t first, int32_t n)
         double u[2], v[2];
         read_shape(w, i, edge);
         edge->height = (edge->height - low) / fmax(1e-9, high - low);
+        edge->across = 2.0 * (edge->across - left) / fmax(1e-9, right - left) - 1.0;
         chord_of(w, i, true, u);
         chord_of(w, edge->next - first, false, v);
         edge->end = next->start = MUS__SEAM_PI - turn_of(u, v);
@@ -206,6 +212,22 @@ static void read_ring(const facts_work *w, int32_t first, int32_t n)
 }
 
 
+/* where the edges of a panel lie on the body, as far as its sides tell. Seen from outside, the wearer's left is to the
+ * right of a front and to the left of a back. */
+static void read_places(const mus__seam_facts *facts, const mus__seam_panel *panel)
+{
+    const int32_t lateral = ((panel->sides & MUS_SIDE_LEFT) != 0) - ((panel->sides & MUS_SIDE_RIGHT) != 0);
+    const int32_t along = ((panel->sides & MUS_SIDE_FRONT) != 0) - ((panel->sides & MUS_SIDE_BACK) != 0);
+    for (int32_t i = panel->first; i < panel->first + panel->n; i++) {
+        mus__seam_edge *edge = &facts->edges[i];
+        edge->half = lateral;
+        if (lateral == 0) edge->half = along * ((edge->across > OFF_CENTRE) - (edge->across < -OFF_CENTRE));
+        const double inwards = -edge->normal[0] * along * edge->half;
+        edge->inwards = (inwards > INWARDS) - (inwards < -INWARDS);
+    }
+}
+
+
 static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
 {
     mus__seam_facts *facts = w->facts;
@@ -218,6 +240,9 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
     set_upright(w, grain);
     read_corners(w, panel->first, panel->n);
     panel->key = 0;
+    panel->image = MUS_NONE;
+    panel->like = p;
+    panel->sure = false;
     for (int32_t i = panel->first; i < panel->first + panel->n; i++) {
         mus__seam_edge *edge = &facts->edges[i];
         edge->panel = p;
@@ -230,6 +255,7 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
         panel->key += k * k * UINT64_C(0x9E3779B97F4A7C15) + (k ^ (k << 29));
     }
     panel->sides = mus_pattern_panel_sides(w->pattern, p, NULL);
+    read_places(facts, panel);
     const char *label = mus_pattern_panel_label(w->pattern, p);
     panel->label = text_hash(label, strlen(label));
     read_name(mus_pattern_panel_name(w->pattern, p), panel);
@@ -239,18 +265,32 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
 
 /* ---- mirror images ---- */
 
-/* the edge of panel q that edge 0 of panel p has as its image, so that all edges agree; MUS_NONE */
+/* whether edges a and b agree as images; a corner that is flat on both may lie elsewhere along the line */
+static bool is_image(const mus__seam_edge *a, const mus__seam_edge *b)
+{
+    return fabs(a->start - b->end) < MIRROR_ANGLE && fabs(a->end - b->start) < MIRROR_ANGLE &&
+           fabs(a->turn - b->turn) < MIRROR_ANGLE && fabs(a->normal[0] + b->normal[0]) < MIRROR_NORMAL &&
+           fabs(a->normal[1] - b->normal[1]) < MIRROR_NORMAL;
+}
+
+
+/* the edge of panel q that edge 0 of panel p has as its image, so that all edges agree; MUS_NONE. The lengths between
+ * corners agree, not those between flat points: a seam is divided where the other side has its corners. */
 static int32_t image_of(const mus__seam_facts *facts, const mus__seam_panel *p, const mus__seam_panel *q)
 {
     if (p->n != q->n) return MUS_NONE;
     for (int32_t s = 0; s < p->n; s++) {
         bool same = true;
         int32_t image = q->first + s;
+        double ahead = 0.0, first = HUGE_VAL;
         for (int32_t i = 0; i < p->n && same; i++) {
             const mus__seam_edge *a = &facts->edges[p->first + i], *b = &facts->edges[image];
-            same = fabs(a->log_length - b->log_length) < MIRROR_LENGTH && fabs(a->start - b->end) < MIRROR_ANGLE &&
-                   fabs(a->turn - b->turn) < MIRROR_ANGLE && fabs(a->normal[0] + b->normal[0]) < MIRROR_NORMAL &&
-                   fabs(a->normal[1] - b->normal[1]) < MIRROR_NORMAL;
+            same = is_image(a, b);
+            ahead += a->length - b->length;
+            if (fabs(a->end - MUS__SEAM_PI) >= MIRROR_ANGLE) {
+                if (first == HUGE_VAL) first = ahead;
+                same = same && fabs(ahead - first) < MIRROR_LENGTH * facts->longest;
+            }
             image = b->prev;
         }
         if (same) return q->first + s;
@@ -288,21 +328,62 @@ static void pair_images(mus__seam_facts *facts, int32_t p, int32_t q, int32_t im
 }
 
 
+/* panels of the same edges on the same side of the body */
+static int32_t count_alike(const mus__seam_facts *facts, const mus__seam_panel *p)
+{
+    int32_t count = 0;
+    for (int32_t q = 0; q < facts->npanel; q++)
+        count += facts->panels[q].key == p->key && facts->panels[q].sides == p->sides;
+    return count;
+}
+
+
 static void find_images(mus__seam_facts *facts)
 {
+    for (int32_t p = 0; p < facts->npanel; p++)
+        for (int32_t q = p - 1; q >= 0; q--)
+            if (facts->panels[q].n == facts->panels[p].n && facts->panels[q].key == facts->panels[p].key)
+                facts->panels[p].like = q;
     for (int32_t rank = 4; rank >= 0; rank--)
         for (int32_t p = 0; p < facts->npanel; p++)
             for (int32_t q = p; q < facts->npanel; q++) {
-                const mus__seam_panel *a = &facts->panels[p], *b = &facts->panels[q];
+                mus__seam_panel *a = &facts->panels[p], *b = &facts->panels[q];
                 if (a->n == 0 || b->n != a->n || image_rank(a, b) != rank) continue;
                 if (facts->edges[a->first].mirror != MUS_NONE || facts->edges[b->first].mirror != MUS_NONE) continue;
                 const int32_t image = image_of(facts, a, b);
-                if (image != MUS_NONE) pair_images(facts, p, q, image);
+                if (image == MUS_NONE) continue;
+                pair_images(facts, p, q, image);
+                a->image = q;
+                b->image = p;
+                a->sure = b->sure = rank == 4 || (p == q ? count_alike(facts, a) == 1 : rank > 1);
             }
 }
 
 
 /* ---- the whole ---- */
+
+/* number of edges whose logarithm of the length is below x */
+static int32_t count_below(const mus__seam_facts *facts, double x)
+{
+    int32_t low = 0, high = facts->n;
+    while (low < high) {
+        const int32_t middle = low + (high - low) / 2;
+        if (facts->lengths[middle] < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+
+int32_t mus__seam_count_near(const mus__seam_facts *facts, int32_t a, double ratio)
+{
+    const double x = facts->edges[a].log_length;
+    const int32_t n = count_below(facts, x + ratio) - count_below(facts, x - ratio) - 1;
+    return n > 0 ? n : 0;
+}
+
 
 static int compare_doubles(const void *a, const void *b)
 {
@@ -410,6 +491,10 @@ mus_status mus__seam_read(const mus_pattern *pattern, mus__seam_facts *out)
         if (status == MUS_OK) status = read_fixed(&w, place);
         for (int32_t i = 0; i < out->n; i++) out->lengths[i] = out->edges[i].log_length;
         mus__sort(out->lengths, (size_t)out->n, sizeof *out->lengths, compare_doubles);
+        for (int32_t i = 0; i < out->n; i++) {
+            out->edges[i].equal = mus__seam_count_near(out, i, MUS__SEAM_EQUAL_LENGTHS);
+            out->edges[i].alone = mus__seam_count_near(out, i, 0.01) == 0;
+        }
         find_images(out);
     }
     mus_context_alloc(out->context, w.xy, 0);

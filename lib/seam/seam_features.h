@@ -17,25 +17,22 @@
     X(TURN_SUM, "turns that differ as of complementary curves [rad]")                                                \
     X(TURN_BOTH, "turns that differ from complementary and from equal [rad]")                                        \
     X(CONVEX, "a convex edge to a concave one")                                                                      \
-    X(STRAIGHT, "both straight")                                                                                     \
     X(MIRROR, "normals are mirror images")                                                                           \
     X(OPPOSED, "normals are opposite")                                                                               \
-    X(DIRECTION, "the better agreement of the normals")                                                              \
     X(UPWARD, "sum of the normals' heights")                                                                         \
     X(CORNER, "corners that add up to a straight line, 0 to 2")                                                      \
     X(SAME, "one panel")                                                                                             \
+    X(CENTRE_SEAM, "left to right, both edges towards the centre")                                                   \
+    X(CROSSED, "left to right otherwise")                                                                            \
+    X(ONE_HALF, "both on one half of the body")                                                                      \
+    X(SIDES_AGREE, "front to back on one half: both towards the centre or both away")                                \
+    X(SIDES_DIFFER, "front to back on one half: one towards the centre, one away")                                   \
     X(DART, "neighbours of one panel with a narrow wedge")                                                           \
-    X(DART_EQUAL, "the same of equal length")                                                                        \
-    X(SAME_EQUAL, "edges of one panel of equal length")                                                              \
-    X(ACROSS, "left to right")                                                                                       \
-    X(ONE_SIDE, "left to left, right to right")                                                                      \
+    X(DART_DOWN, "the same, open downwards")                                                                         \
     X(FRONT_BACK, "front to back")                                                                                   \
     X(FRONT_FRONT, "front to front, back to back")                                                                   \
-    X(FRONT_BACK_MIRROR, "front to back with mirrored normals")                                                      \
     X(CENTRE, "an edge to its own mirror image")                                                                     \
-    X(CENTRE_VERTICAL, "the same, upright")                                                                          \
     X(TWIN, "panels of equal edges")                                                                                 \
-    X(TWIN_EQUAL, "panels of equal edges, lengths within 0.2 %")                                                     \
     X(NOTCH_OK, "notches agree in number and kind")                                                                  \
     X(NOTCH_PLACE, "notches agree in place")                                                                         \
     X(NOTCH_BAD, "notches disagree")                                                                                 \
@@ -43,36 +40,20 @@
     X(WORDS, "share of common words of the panels' names")                                                           \
     X(NUMBERS, "names that differ by one in a number")                                                               \
     X(HEIGHT, "difference of the heights within the panels")                                                         \
-    X(SIDE, "upright seam of front and back: equal lengths, mirrored normals")                                       \
-    X(MIRROR_EQUAL, "two panels: lengths within 1 %, mirrored normals")                                              \
-    X(OPPOSED_EQUAL, "two panels: lengths within 1 %, opposite normals")                                             \
-    X(TUBE, "one panel: equal lengths, mirrored normals")                                                            \
     X(CURVE_EQUAL, "lengths within 1 % and equal turns, both curved")                                                \
-    X(CURVE_FITS, "lengths within 5 %, a convex edge to a concave one")                                              \
     X(UNEQUAL_TURN, "turns that differ where lengths do")                                                            \
-    X(WAIST, "an edge that looks down to one that looks up")                                                         \
-    X(WAIST_SIDES, "the same of panels on one side, front or back")                                                  \
-    X(BOTH_DOWN, "both look down")                                                                                   \
-    X(BOTH_UP, "both look up")                                                                                       \
-    X(EASED_SIDE, "lengths beyond 5 %, edges that look sideways")                                                    \
+    X(JILTED, "edges that leave one of equal length, 0 to 2")                                                        \
     X(SHORT, "length of the shorter by the longest of the pattern")
 
 /* features of a whole sewing: free edges, vertices, openings, symmetry */
+/* features of a whole sewing: free edges, vertices, openings, symmetry */
 #define MUS__SEAM_WHOLE(X)                                                                                           \
     X(FREE_TURN, "turn of a free edge [rad]")                                                                        \
-    X(FREE_CONCAVE, "a free edge that is concave")                                                                   \
-    X(FREE_DOWN, "a free edge that looks down")                                                                      \
-    X(FREE_UP, "a free edge that looks up")                                                                          \
     X(FREE_LENGTH, "length of a free edge by the longest of the pattern")                                            \
     X(FREE_NOTCH, "a free edge with notches")                                                                        \
-    X(FREE_LOW, "height of a free edge within its panel, 0 to 1")                                                    \
-    X(FREE_EQUAL, "a free edge with an equal one other than its image")                                              \
-    X(FREE_IMAGE, "a free edge with an equal mirror image alone")                                                    \
     X(FREE_DOWN_LOW, "a free edge that looks down at the bottom of its panel")                                       \
     X(FREE_UP_HIGH, "a free edge that looks up at the top")                                                          \
     X(FREE_CONCAVE_HIGH, "a concave free edge in the upper half")                                                    \
-    X(FREE_SIDEWAYS, "a free edge that looks sideways")                                                              \
-    X(FREE_SIDEWAYS_EQUAL, "the same where others have its length")                                                  \
     X(FREE_ALONE, "a free edge whose length no other has within 1 %")                                                \
     X(CLOSED_1, "tip of a dart")                                                                                     \
     X(CLOSED_2, "closed vertex of 2 corners")                                                                        \
@@ -89,20 +70,39 @@
     X(OPEN_3, "vertex of an opening of 3 corners")                                                                   \
     X(OPEN_4, "vertex of an opening of 4 corners")                                                                   \
     X(OPEN_MORE, "vertex of an opening of more corners")                                                             \
+    X(OPEN_1_OFF, "angle of a corner between free edges from the half turn, 1.5 rad at most")                        \
     X(OPEN_2_OFF, "angle of 2 corners from the half turn, 1.5 rad at most")                                          \
     X(OPEN_3_OFF, "angle of 3 and more corners from the half turn")                                                  \
     X(OPEN_2_FLAT, "2 corners that make a half turn")                                                                \
     X(OPEN_3_FLAT, "3 and more corners that make a half turn")                                                       \
-    X(OPEN_REFLEX, "vertex of an opening of more than 220 degrees")                                                  \
+    X(LINE, "seams that go on in one another")                                                                       \
+    X(LINE_SAME, "the same, ratios of the lengths within 1 %")                                                       \
+    X(LINE_GATHER, "the same of unequal lengths")                                                                    \
+    X(LINE_OFF, "difference of the ratios' logarithms, 0.5 at most")                                                 \
+    X(LINE_STOP, "flat points of an outline at which a seam ends")                                                   \
     X(COMPONENTS, "garments beyond the first")                                                                       \
     X(HANDLES, "handles")                                                                                            \
-    X(OPENINGS, "openings")                                                                                          \
+    X(SEALED, "garments of less than two openings")                                                                  \
+    X(OPENINGS_2, "garments of 2 openings")                                                                          \
+    X(OPENINGS_3, "garments of 3 openings")                                                                          \
+    X(OPENINGS_4, "garments of 4 openings")                                                                          \
+    X(OPENINGS_MORE, "openings beyond the fifth")                                                                    \
     X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
-    X(UNEVEN, "seams whose mirror image is none")
+    X(FREE_CENTRE, "a free edge towards the centre, of a left or right panel")                                       \
+    X(UNLIKE, "free edges of a panel more or less than those of another of its shape")                               \
+    X(UNEVEN, "seams whose mirror image is none, of panels of which it is known")                                    \
+    X(UNEVEN_FREE, "free edges whose mirror image is sewn, likewise")
+
+/* tables of kinds, of which each seam and each free edge has one: see seam_score.c */
+#define MUS__SEAM_RELATIONS 4  /* of two panels: one, images of one another, front and back, others */
+#define MUS__SEAM_DIRECTIONS 6 /* of two normals */
+#define MUS__SEAM_LENGTHS 3    /* of two lengths: within 0.2 %, within 5 %, others */
+#define MUS__SEAM_SEAM_KINDS (MUS__SEAM_RELATIONS * MUS__SEAM_DIRECTIONS * MUS__SEAM_LENGTHS)
+#define MUS__SEAM_FREE_KINDS 36
 
 #define MUS__SEAM_ENUM(name, text) MUS__SEAM_##name,
-enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_PAIRS };
-enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_WHOLES };
+enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_KIND, MUS__SEAM_PAIRS = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS };
+enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_FREE, MUS__SEAM_WHOLES = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS };
 #define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_WHOLES)
 
 #endif

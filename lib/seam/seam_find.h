@@ -3,20 +3,20 @@
  *
  * A sewing gives each edge of an outline at most one mate; two mates run against each other (MUS_SEAM_REVERSED). Its
  * score is the scalar product of its features with weights: features of each seam (lengths, curvature, directions,
- * notches, names), of each edge that stays free, of each vertex that the seams close or leave on an opening, and of the
- * whole (components, handles, openings, mirror symmetry). The weights are in seam_weights.c, which the study
- * tests/study/seams writes: logistic regression of "this change of the sewing is right" on the change of the features.
+ * notches, names), of each edge that stays free, of each vertex that the seams close or leave on an opening, of each
+ * line of seams (one ratio of lengths goes through), and of the whole (components, handles, openings, mirror symmetry).
+ * The weights are in seam_weights.c, which the study tests/study/seams writes: a multinomial logistic regression of the
+ * right choice among the sewings that one change makes (conditional logit; McFadden 1974).
  *
  * seam_facts.c   reads the facts of the edges from the pattern
  * seam_score.c   features and score
- * seam_search.c  the search: local changes, and starts that are torn open and sewn again
+ * seam_search.c  the search: local changes, simulated annealing
  * seam_propose.c the public call
  */
 #ifndef MUS_SEAM_FIND_H
 #define MUS_SEAM_FIND_H
 
 #include <stdbool.h>
-
 #include "muslin/pattern.h"
 #include "seam/seam_features.h"
 
@@ -24,6 +24,8 @@
 #define MUS__SEAM_IN_NAME 8 /* words of a panel's name that are kept; chosen: names of pieces have up to five */
 #define MUS__SEAM_EDGES 500 /* most edges; chosen: bounds the time to a minute; the largest of the data has 176 */
 
+#define MUS__SEAM_EQUAL_LENGTHS 2e-3 /* relative difference of equal lengths; chosen: 1 mm of a side seam */
+#define MUS__SEAM_EQUAL_RATIOS 0.01  /* the same of ratios of lengths along a line of seams; chosen: cuts to 1 mm */
 /* one edge of an outline, in the direction of the outline; the panel as its right side is seen, the grain upwards */
 typedef struct mus__seam_edge {
     int32_t edge;      /* in the pattern */
@@ -31,17 +33,21 @@ typedef struct mus__seam_edge {
     int32_t next, prev; /* round the outline */
     int32_t mirror;    /* mirror image, MUS_NONE without one */
     int32_t notch, nnotch; /* in the list of notches */
+    int32_t equal, alone; /* number of other edges of equal length; 1 where none has it within 1 % */
     double length;     /* [m] */
     double log_length;
     double turn;       /* [rad] sum of the exterior angles along it; positive: convex */
     double normal[2];  /* of its chord, outwards */
     double start, end; /* [rad] interior angles of the panel at its ends */
-    double height;     /* of its middle within the panel, 0 (bottom) to 1 */
+    double height, across; /* of its middle within the panel: 0 (bottom) to 1, -1 to 1 from side to side */
+    int32_t half, inwards; /* 1 on the wearer's left, -1 right; 1 looks to the body's centre, -1 away; 0 not known */
 } mus__seam_edge;
 
 typedef struct mus__seam_panel {
     int32_t first, n; /* its edges */
     int32_t sides;
+    int32_t image, like; /* panel that is its mirror image, MUS_NONE without one; first panel of its shape */
+    bool sure;        /* names or shapes leave no other image */
     uint64_t key;     /* equal for panels of equal edges */
     uint32_t label;
     uint32_t words[MUS__SEAM_IN_NAME];
@@ -65,11 +71,14 @@ typedef struct mus__seam_facts {
 mus_status mus__seam_read(const mus_pattern *pattern, mus__seam_facts *out);
 void mus__seam_free(mus__seam_facts *facts);
 
-/* features (MUS__SEAM_PAIRS) of the seam of edges a and b */
+/* number of other edges whose length differs from that of edge a by less than the ratio */
+int32_t mus__seam_count_near(const mus__seam_facts *facts, int32_t a, double ratio);
+
+/* features (MUS__SEAM_PAIRS) of a seam */
 void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out);
 
-/* scratch memory of mus__seam_whole(): (4 n + npanel) integers */
-#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + (facts)->npanel)
+/* scratch memory of mus__seam_whole(), integers */
+#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 3 * (facts)->npanel)
 
 /* features (MUS__SEAM_WHOLES) of a sewing, mate (n) */
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out);
@@ -79,8 +88,7 @@ typedef struct mus__seam_search {
     const mus__seam_facts *facts;
     const double *weights;  /* (MUS__SEAM_FEATURES) those of a pair, then those of the whole */
     double *pairs;          /* (n x n) score of each seam */
-    int32_t *near;          /* (n x nnear) mates of highest score, best first */
-    int32_t nnear;
+    int32_t *near, nnear;   /* (n x nnear) mates of highest score, best first */
     int32_t *mate;          /* (n) best sewing found */
     double score;
     int32_t *trial, *keep, *scratch;
@@ -88,10 +96,10 @@ typedef struct mus__seam_search {
 
 /* a change of a sewing: see mus__seam_change_apply() */
 typedef struct mus__seam_change {
-    /* edges that are sewn; b MUS_NONE: a is freed; a MUS_NONE: the mates of panel b and of its mirror image swap */
-    int32_t a, b;
-    bool join;      /* the mates that they had are sewn to one another */
-    bool mirrored;  /* the same is done to the mirror images */
+    int32_t a, b; /* to sew; b MUS_NONE: a is freed; a MUS_NONE: the mates of panel b and of its image swap */
+    bool join;     /* the mates that they had are sewn to one another */
+    bool on;       /* the edges beside them are sewn too, as long as the ratio of the lengths stays */
+    bool mirrored; /* the same is done to the mirror images */
 } mus__seam_change;
 
 mus_status mus__seam_begin(const mus__seam_facts *facts, const double *weights, mus__seam_search *out);
@@ -101,10 +109,9 @@ double mus__seam_score(mus__seam_search *search, const int32_t *mate);
 bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change *change, int32_t *mate);
 /* change number i of all that are tried on a sewing; false: there are no more */
 bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_change *out);
-/* searches for the sewing of highest score from the seams that are fixed: rounds of tearing open and sewing again */
+/* searches for the sewing of highest score from the seams that are fixed; rounds of simulated annealing, 0: none */
 void mus__seam_run(mus__seam_search *search, int32_t rounds);
-/* score of a sewing less the highest of all sewings without the seam of edge a that one change makes; the mate that
- * the other gives to a is *other */
+/* score of the sewing less the highest that one change without the seam of edge a has; *other is a's mate in that */
 double mus__seam_margin(mus__seam_search *search, int32_t a, int32_t *other);
 
 extern const double mus__seam_weights[MUS__SEAM_FEATURES];

@@ -7,69 +7,47 @@
  * handles: the Euler characteristic is 2 (components - handles) - openings.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "seam/seam_find.h"
 #include "base/elementary.h"
 
-#define LENGTHS_EQUAL 2e-3  /* relative difference of lengths that count as equal; chosen: 1 mm of a side seam */
 #define NORMALS_SPREAD 0.04 /* 1 less the cosine at which an agreement of normals falls to 1/e: 16 degrees */
 #define CORNERS_SPREAD 0.06 /* [rad] the same of corners that add up to a half turn */
 #define NOTCHES_SPREAD 0.02 /* relative arc length, the same of notches */
 #define ANGLES_SPREAD 0.1   /* [rad] the same of the angle of a vertex */
 #define DART_WEDGE 1.2      /* [rad] widest dart; chosen: a quarter more than a bust dart of a large cup */
 #define OPENING_SMALL 0.15  /* [m] a shorter opening lets no hand through; chosen: half the girth of a child's wrist */
-#define OPENING_REFLEX 3.84 /* [rad] 220 degrees */
 #define CURVED 0.3          /* [rad] turn of an edge that counts as curved */
-#define NARROW 0.02         /* [rad] turn of an edge that counts as straight */
+#define ALIGNED 0.92        /* cosine of the angle between directions that count as one: 23 degrees */
 
 
 static double bell(double x, double spread)
 {
-    return mus__exp(-(x / spread) * (x / spread));
+    const double square = (x / spread) * (x / spread);
+    return square < 30.0 ? mus__exp(-square) : 0.0;
 }
 
 
 /* ---- a seam ---- */
 
-/* number of edges whose logarithm of the length is below x */
-static int32_t count_below(const mus__seam_facts *facts, double x)
-{
-    int32_t low = 0, high = facts->n;
-    while (low < high) {
-        const int32_t middle = low + (high - low) / 2;
-        if (facts->lengths[middle] < x)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-
-/* number of other edges whose length differs by less than the ratio */
-static int32_t count_near(const mus__seam_facts *facts, int32_t a, double ratio)
-{
-    const double x = facts->edges[a].log_length;
-    const int32_t n = count_below(facts, x + ratio) - count_below(facts, x - ratio) - 1;
-    return n > 0 ? n : 0;
-}
-
-
 static void pair_lengths(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
 {
     const mus__seam_edge *x = &facts->edges[a], *y = &facts->edges[b];
     const double r = fabs(x->log_length - y->log_length);
-    const int32_t rank_a = count_near(facts, a, r), rank_b = count_near(facts, b, r);
+    const int32_t rank_a = mus__seam_count_near(facts, a, r), rank_b = mus__seam_count_near(facts, b, r);
     out[MUS__SEAM_RATIO] = fmin(r, 1.5);
-    out[MUS__SEAM_EQUAL] = r < LENGTHS_EQUAL;
+    out[MUS__SEAM_EQUAL] = r < MUS__SEAM_EQUAL_LENGTHS;
     out[MUS__SEAM_NEAR] = r < 0.01;
     out[MUS__SEAM_CLOSE] = r < 0.05;
     out[MUS__SEAM_EASED] = r < 0.2;
-    if (r < LENGTHS_EQUAL) {
-        const int32_t na = count_near(facts, a, LENGTHS_EQUAL), nb = count_near(facts, b, LENGTHS_EQUAL);
+    if (r < MUS__SEAM_EQUAL_LENGTHS) {
+        const int32_t na = x->equal, nb = y->equal;
         out[MUS__SEAM_ONLY] = 1.0 / (na > nb ? na > 1 ? na : 1 : nb > 1 ? nb : 1);
-    }
+    } else
+        out[MUS__SEAM_JILTED] = (x->equal > (x->mirror != MUS_NONE && x->mirror != a)) +
+                                (y->equal > (y->mirror != MUS_NONE && y->mirror != b));
     out[MUS__SEAM_RANK] = fmin(rank_a > rank_b ? rank_a : rank_b, 8.0) / 8.0;
     out[MUS__SEAM_SHORT] = fmin(x->length, y->length) / facts->longest;
 }
@@ -83,10 +61,8 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
     out[MUS__SEAM_TURN_SUM] = fmin(sum, 1.5);
     out[MUS__SEAM_TURN_BOTH] = fmin(fmin(sum, difference), 1.5);
     out[MUS__SEAM_CONVEX] = fmin(x->turn, y->turn) < -CURVED && fmax(x->turn, y->turn) > CURVED;
-    out[MUS__SEAM_STRAIGHT] = fabs(x->turn) < NARROW && fabs(y->turn) < NARROW;
     out[MUS__SEAM_MIRROR] = mus__exp((mirror - 1.0) / NORMALS_SPREAD);
     out[MUS__SEAM_OPPOSED] = mus__exp((opposed - 1.0) / NORMALS_SPREAD);
-    out[MUS__SEAM_DIRECTION] = fmax(mirror, opposed);
     out[MUS__SEAM_UPWARD] = x->normal[1] + y->normal[1];
     out[MUS__SEAM_CORNER] =
         bell(x->start + y->end - MUS__SEAM_PI, CORNERS_SPREAD) + bell(x->end + y->start - MUS__SEAM_PI, CORNERS_SPREAD);
@@ -96,12 +72,24 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
 static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, double *out)
 {
     const mus__seam_edge *x = &facts->edges[a];
-    const bool equal = out[MUS__SEAM_EQUAL] > 0.0, next = x->next == b, prev = x->prev == b;
+    const bool next = x->next == b, prev = x->prev == b;
     const double wedge = 2.0 * MUS__SEAM_PI - (next ? x->end : x->start);
     out[MUS__SEAM_SAME] = 1.0;
     out[MUS__SEAM_DART] = (next || prev) && wedge < DART_WEDGE;
-    out[MUS__SEAM_DART_EQUAL] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_NEAR] > 0.0;
-    out[MUS__SEAM_SAME_EQUAL] = equal && !next && !prev;
+    out[MUS__SEAM_DART_DOWN] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_UPWARD] < 0.0;
+}
+
+
+/* the halves of the body: a seam crosses the centre only between edges that look to it */
+static void pair_halves(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+{
+    const int32_t halves = x->half * y->half, sides = x->inwards * y->inwards;
+    const bool front_back = out[MUS__SEAM_FRONT_BACK] > 0.0;
+    out[MUS__SEAM_CENTRE_SEAM] = halves < 0 && x->inwards > 0 && y->inwards > 0;
+    out[MUS__SEAM_CROSSED] = halves < 0 && out[MUS__SEAM_CENTRE_SEAM] <= 0.0;
+    out[MUS__SEAM_ONE_HALF] = halves > 0;
+    out[MUS__SEAM_SIDES_AGREE] = halves > 0 && front_back && sides > 0;
+    out[MUS__SEAM_SIDES_DIFFER] = halves > 0 && front_back && sides < 0;
 }
 
 
@@ -121,15 +109,10 @@ static double common_words(const mus__seam_panel *p, const mus__seam_panel *q)
 
 static void pair_panels(const mus__seam_panel *p, const mus__seam_panel *q, double *out)
 {
-    const int32_t lateral = MUS_SIDE_LEFT | MUS_SIDE_RIGHT, along = MUS_SIDE_FRONT | MUS_SIDE_BACK;
-    const int32_t ps = p->sides & lateral, qs = q->sides & lateral, pa = p->sides & along, qa = q->sides & along;
-    out[MUS__SEAM_ACROSS] = ps != 0 && qs != 0 && ps != qs;
-    out[MUS__SEAM_ONE_SIDE] = ps != 0 && ps == qs;
+    const int32_t along = MUS_SIDE_FRONT | MUS_SIDE_BACK, pa = p->sides & along, qa = q->sides & along;
     out[MUS__SEAM_FRONT_BACK] = pa != 0 && qa != 0 && pa != qa;
     out[MUS__SEAM_FRONT_FRONT] = p != q && pa != 0 && pa == qa;
-    out[MUS__SEAM_FRONT_BACK_MIRROR] = out[MUS__SEAM_FRONT_BACK] * out[MUS__SEAM_MIRROR];
     out[MUS__SEAM_TWIN] = p != q && p->key == q->key;
-    out[MUS__SEAM_TWIN_EQUAL] = out[MUS__SEAM_TWIN] * out[MUS__SEAM_EQUAL];
     out[MUS__SEAM_LABEL] = p != q && p->label == q->label;
     out[MUS__SEAM_WORDS] = p != q ? common_words(p, q) : 0.0;
     out[MUS__SEAM_NUMBERS] = p->number != MUS_NONE && q->number != MUS_NONE && p->stem == q->stem &&
@@ -154,26 +137,24 @@ static void pair_notches(const mus__seam_facts *facts, const mus__seam_edge *x, 
 }
 
 
-/* features of two kinds at once, which a sum of the two does not tell */
-static void pair_both(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+/* the kind of a seam: relation of the panels, directions of the edges, lengths */
+static int32_t pair_kind(const mus__seam_facts *facts, const mus__seam_edge *x, const mus__seam_edge *y,
+                         const double *out)
 {
-    const bool near = out[MUS__SEAM_NEAR] > 0.0, other = x->panel != y->panel;
-    const bool curved = fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
-    const double high = fmax(x->normal[1], y->normal[1]), low = fmin(x->normal[1], y->normal[1]);
-    const bool sides = out[MUS__SEAM_FRONT_FRONT] > 0.0 && out[MUS__SEAM_ACROSS] <= 0.0;
-    const double mirror = near ? out[MUS__SEAM_MIRROR] : 0.0, opposed = near ? out[MUS__SEAM_OPPOSED] : 0.0;
-    out[MUS__SEAM_SIDE] = out[MUS__SEAM_FRONT_BACK] > 0.0 && fabs(x->normal[0]) > 0.7 ? mirror : 0.0;
-    out[MUS__SEAM_MIRROR_EQUAL] = other ? mirror : 0.0;
-    out[MUS__SEAM_OPPOSED_EQUAL] = other ? opposed : 0.0;
-    out[MUS__SEAM_TUBE] = out[MUS__SEAM_SAME_EQUAL] * out[MUS__SEAM_MIRROR];
-    out[MUS__SEAM_CURVE_EQUAL] = near && curved;
-    out[MUS__SEAM_CURVE_FITS] = out[MUS__SEAM_CLOSE] * out[MUS__SEAM_CONVEX];
-    out[MUS__SEAM_UNEQUAL_TURN] = near ? 0.0 : out[MUS__SEAM_TURN_BOTH];
-    out[MUS__SEAM_WAIST] = other && high > 0.9 && low < -0.9;
-    out[MUS__SEAM_WAIST_SIDES] = sides ? out[MUS__SEAM_WAIST] : 0.0;
-    out[MUS__SEAM_BOTH_DOWN] = high < -0.9;
-    out[MUS__SEAM_BOTH_UP] = low > 0.9;
-    out[MUS__SEAM_EASED_SIDE] = out[MUS__SEAM_CLOSE] <= 0.0 && fabs(x->normal[0]) > 0.9 && fabs(y->normal[0]) > 0.9;
+    const double mirror = -x->normal[0] * y->normal[0] + x->normal[1] * y->normal[1];
+    const double opposed = -x->normal[0] * y->normal[0] - x->normal[1] * y->normal[1];
+    const int32_t relation = x->panel == y->panel                          ? 0
+                             : facts->panels[x->panel].image == y->panel   ? 1
+                             : out[MUS__SEAM_FRONT_BACK] > 0.0             ? 2
+                                                                           : 3;
+    const int32_t direction = mirror > ALIGNED && opposed > ALIGNED  ? 0
+                              : mirror > ALIGNED && x->normal[1] > 0 ? 1
+                              : mirror > ALIGNED                     ? 2
+                              : opposed > ALIGNED                    ? 3
+                              : x->normal[1] * y->normal[1] < 0.0    ? 4
+                                                                     : 5;
+    const int32_t lengths = out[MUS__SEAM_EQUAL] > 0.0 ? 0 : out[MUS__SEAM_CLOSE] > 0.0 ? 1 : 2;
+    return (relation * MUS__SEAM_DIRECTIONS + direction) * MUS__SEAM_LENGTHS + lengths;
 }
 
 
@@ -187,10 +168,12 @@ void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *
     if (x->panel == y->panel) pair_panel(facts, a, b, out);
     pair_panels(&facts->panels[x->panel], &facts->panels[y->panel], out);
     pair_notches(facts, x, y, out);
-    pair_both(x, y, out);
+    pair_halves(x, y, out);
+    out[MUS__SEAM_CURVE_EQUAL] = out[MUS__SEAM_NEAR] > 0.0 && fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
+    out[MUS__SEAM_UNEQUAL_TURN] = out[MUS__SEAM_NEAR] > 0.0 ? 0.0 : out[MUS__SEAM_TURN_BOTH];
     out[MUS__SEAM_CENTRE] = x->mirror == b;
-    out[MUS__SEAM_CENTRE_VERTICAL] = x->mirror == b && fabs(x->normal[0]) > 0.9;
     out[MUS__SEAM_HEIGHT] = x->panel != y->panel ? fabs(x->height - y->height) : 0.0;
+    out[MUS__SEAM_KIND + pair_kind(facts, x, y, out)] = 1.0;
 }
 
 
@@ -203,6 +186,8 @@ typedef struct surface {
     int32_t *after; /* (n) the free edge that follows a free edge round an opening */
     int32_t *done;  /* (n) free edges */
     int32_t *part;  /* (npanel) parent in the forest of components */
+    int32_t *openings; /* (npanel) of the component of which the panel is the root */
+    int32_t *free;     /* (npanel) free edges */
     int32_t nvertex, nopening;
     double *out;
 } surface;
@@ -211,22 +196,22 @@ typedef struct surface {
 static void free_edge(const surface *s, int32_t a)
 {
     const mus__seam_edge *x = &s->facts->edges[a];
-    const int32_t equal = count_near(s->facts, a, LENGTHS_EQUAL);
+    const int32_t equal = x->equal, own = x->mirror != MUS_NONE && x->mirror != a;
+    const int32_t direction = x->normal[1] < -0.9 ? 0 : x->normal[1] > 0.9 ? 1 : fabs(x->normal[0]) > 0.9 ? 2 : 3;
+    const int32_t shape = x->turn < -CURVED ? 0 : x->turn > CURVED ? 1 : 2;
+    const int32_t rivals = equal > own ? 0 : equal > 0 ? 1 : 2;
+    s->out[MUS__SEAM_FREE + (direction * 3 + shape) * 3 + rivals] += 1.0;
     s->out[MUS__SEAM_FREE_TURN] += fmin(fabs(x->turn), 3.0);
-    s->out[MUS__SEAM_FREE_CONCAVE] += x->turn < -CURVED;
-    s->out[MUS__SEAM_FREE_DOWN] += x->normal[1] < -0.9;
-    s->out[MUS__SEAM_FREE_UP] += x->normal[1] > 0.9;
     s->out[MUS__SEAM_FREE_LENGTH] += x->length / s->facts->longest;
     s->out[MUS__SEAM_FREE_NOTCH] += x->nnotch > 0;
-    s->out[MUS__SEAM_FREE_LOW] += x->height;
-    s->out[MUS__SEAM_FREE_EQUAL] += equal > 1;
     s->out[MUS__SEAM_FREE_DOWN_LOW] += x->normal[1] < -0.9 && x->height < 0.2;
     s->out[MUS__SEAM_FREE_UP_HIGH] += x->normal[1] > 0.9 && x->height > 0.8;
     s->out[MUS__SEAM_FREE_CONCAVE_HIGH] += x->turn < -CURVED && x->height > 0.5;
-    s->out[MUS__SEAM_FREE_SIDEWAYS] += fabs(x->normal[0]) > 0.9;
-    s->out[MUS__SEAM_FREE_SIDEWAYS_EQUAL] += fabs(x->normal[0]) > 0.9 && equal > 0;
-    s->out[MUS__SEAM_FREE_ALONE] += count_near(s->facts, a, 0.01) == 0;
-    s->out[MUS__SEAM_FREE_IMAGE] += equal == 1 && x->mirror != MUS_NONE && x->mirror != a;
+    s->out[MUS__SEAM_FREE_ALONE] += x->alone;
+    s->out[MUS__SEAM_FREE_CENTRE] += x->half != 0 && x->inwards > 0;
+    s->free[x->panel]++;
+    s->out[MUS__SEAM_UNEVEN_FREE] +=
+        x->mirror != MUS_NONE && s->facts->panels[x->panel].sure && s->mate[x->mirror] != MUS_NONE;
 }
 
 
@@ -249,14 +234,28 @@ static void open_vertex(double *out, int32_t k, double angle)
 {
     const double off = fmin(fabs(angle - MUS__SEAM_PI), 1.5), flat = bell(angle - MUS__SEAM_PI, ANGLES_SPREAD);
     out[MUS__SEAM_OPEN_1 + (k < 5 ? k : 5) - 1] += 1.0;
-    if (k == 2) {
+    if (k == 1) {
+        out[MUS__SEAM_OPEN_1_OFF] += off;
+    } else if (k == 2) {
         out[MUS__SEAM_OPEN_2_OFF] += off;
         out[MUS__SEAM_OPEN_2_FLAT] += flat;
-    } else if (k > 2) {
+    } else {
         out[MUS__SEAM_OPEN_3_OFF] += off;
         out[MUS__SEAM_OPEN_3_FLAT] += flat;
     }
-    if (k > 1) out[MUS__SEAM_OPEN_REFLEX] += angle > OPENING_REFLEX;
+}
+
+
+/* two seams that go on in one another, each given by its edge on one side of the line: their ratios of lengths */
+static void join_line(const surface *s, int32_t a, int32_t b)
+{
+    const mus__seam_edge *e = s->facts->edges;
+    const double p = e[s->mate[a]].log_length - e[a].log_length, q = e[s->mate[b]].log_length - e[b].log_length;
+    const bool same = fabs(p - q) < MUS__SEAM_EQUAL_RATIOS;
+    s->out[MUS__SEAM_LINE] += 1.0;
+    s->out[MUS__SEAM_LINE_SAME] += same;
+    s->out[MUS__SEAM_LINE_GATHER] += same && fabs(p) > MUS__SEAM_EQUAL_RATIOS;
+    s->out[MUS__SEAM_LINE_OFF] += fmin(fabs(p - q), 0.5);
 }
 
 
@@ -264,7 +263,7 @@ static void open_vertex(double *out, int32_t k, double angle)
 static void walk_vertex(surface *s, int32_t e)
 {
     const mus__seam_edge *edges = s->facts->edges;
-    int32_t first = e, k = 0, last = MUS_NONE;
+    int32_t first = e, k = 0, last = MUS_NONE, corner[4], flat = 0;
     while (s->mate[edges[first].prev] != MUS_NONE) {
         first = s->mate[edges[first].prev];
         if (first == e) break;
@@ -274,7 +273,16 @@ static void walk_vertex(surface *s, int32_t e)
     for (int32_t c = first;; c = edges[s->mate[c]].next) {
         if (k > 0 && c == first) break;
         s->seen[c] = 1;
+        const int32_t before_c = edges[c].prev;
+        if (fabs(edges[c].start - MUS__SEAM_PI) < 2.0 * ANGLES_SPREAD) {
+            flat++;
+            if (s->mate[c] != MUS_NONE && s->mate[before_c] != MUS_NONE)
+                join_line(s, before_c, c);
+            else
+                s->out[MUS__SEAM_LINE_STOP] += s->mate[c] != s->mate[before_c];
+        }
         angle += edges[c].start;
+        if (k < 4) corner[k] = c;
         k++;
         last = c;
         if (s->mate[c] == MUS_NONE) break;
@@ -282,6 +290,8 @@ static void walk_vertex(surface *s, int32_t e)
     s->nvertex++;
     if (s->mate[last] != MUS_NONE) {
         closed_vertex(s->out, k, angle);
+        /* of four seams at a vertex those that face one another are a line: the edges left of it */
+        for (int32_t i = 0; k == 4 && flat == 0 && i < 2; i++) join_line(s, s->mate[corner[i]], corner[i + 2]);
         return;
     }
     open_vertex(s->out, k, angle);
@@ -289,6 +299,14 @@ static void walk_vertex(surface *s, int32_t e)
 }
 
 
+static int32_t part_root(int32_t *part, int32_t p)
+{
+    while (part[p] != p) p = part[p] = part[part[p]];
+    return p;
+}
+
+
+/* openings of each component; the parts of the panels are known */
 static void walk_openings(surface *s)
 {
     for (int32_t a = 0; a < s->facts->n; a++) {
@@ -299,15 +317,9 @@ static void walk_openings(surface *s)
             length += s->facts->edges[b].length;
         }
         s->nopening++;
+        s->openings[part_root(s->part, s->facts->edges[a].panel)]++;
         s->out[MUS__SEAM_OPENINGS_SMALL] += length < OPENING_SMALL;
     }
-}
-
-
-static int32_t part_root(int32_t *part, int32_t p)
-{
-    while (part[p] != p) p = part[p] = part[part[p]];
-    return p;
 }
 
 
@@ -331,6 +343,27 @@ static int32_t count_components(const surface *s, int32_t *faces)
 }
 
 
+static void count_openings(const surface *s)
+{
+    for (int32_t p = 0; p < s->facts->npanel; p++) {
+        const int32_t n = s->openings[p];
+        s->out[MUS__SEAM_UNLIKE] += abs(s->free[p] - s->free[s->facts->panels[p].like]);
+        if (s->facts->panels[p].n == 0 || s->part[p] != p) continue;
+        s->out[MUS__SEAM_SEALED] += n < 2;
+        s->out[MUS__SEAM_OPENINGS_2] += n == 2;
+        s->out[MUS__SEAM_OPENINGS_3] += n == 3;
+        s->out[MUS__SEAM_OPENINGS_4] += n == 4;
+        s->out[MUS__SEAM_OPENINGS_MORE] += n > 5 ? n - 5 : 0;
+    }
+}
+
+
+static bool is_sure(const mus__seam_facts *facts, int32_t a)
+{
+    return facts->panels[facts->edges[a].panel].sure;
+}
+
+
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out)
 {
     const int32_t n = facts->n;
@@ -340,9 +373,12 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
                  .after = scratch + n,
                  .done = scratch + 2 * n,
                  .part = scratch + 4 * n,
+                 .openings = scratch + 4 * n + facts->npanel,
+                 .free = scratch + 4 * n + 2 * facts->npanel,
                  .out = out};
     int32_t seams = 0, faces = 0;
     memset(scratch, 0, 3 * sizeof *scratch * (size_t)n);
+    memset(s.openings, 0, 2 * sizeof *scratch * (size_t)facts->npanel);
     memset(out, 0, MUS__SEAM_WHOLES * sizeof *out);
     for (int32_t a = 0; a < n; a++) {
         const int32_t b = mate[a];
@@ -352,12 +388,13 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
         } else if (a < b) {
             const int32_t c = facts->edges[a].mirror, d = facts->edges[b].mirror;
             seams++;
-            out[MUS__SEAM_UNEVEN] += c != MUS_NONE && d != MUS_NONE && mate[c] != d;
+            if (c != MUS_NONE && d != MUS_NONE && is_sure(facts, a) && is_sure(facts, b))
+                out[MUS__SEAM_UNEVEN] += mate[c] != d;
         }
     }
-    walk_openings(&s);
     const int32_t components = count_components(&s, &faces);
+    walk_openings(&s);
+    count_openings(&s);
     out[MUS__SEAM_COMPONENTS] = components - 1;
     out[MUS__SEAM_HANDLES] = components - 0.5 * (s.nvertex - (n - seams) + faces + s.nopening);
-    out[MUS__SEAM_OPENINGS] = s.nopening;
 }

@@ -1,19 +1,23 @@
 /*
  * seam_search.c: the sewing of highest score, by local changes.
  *
- * A change sews two edges (their former mates become free, or are sewn to one another), frees an edge, or swaps what a
- * panel and its mirror image are sewn to; each also together with its mirror image. The search takes for each edge the
- * best change as long as any raises the score. Then it tears a panel off, searches again, and keeps the better sewing.
+ * A change sews two edges (their former mates become free, or are sewn to one another, or the edges beside the two are
+ * sewn on at the same ratio of lengths), frees an edge, or swaps what a panel and its mirror image are sewn to; each
+ * also together with its mirror image. The search takes for each edge the best change as long as any raises the score;
+ * it does so from the pairs of highest score, and from the end of each round of simulated annealing.
  */
 #include <math.h>
 #include <string.h>
 
 #include "seam/seam_find.h"
+#include "base/elementary.h"
 
 #define SEARCH_NEAR 10    /* mates that are tried for each edge; chosen: the right one is among them but in 1 of 300 */
 #define SEARCH_SWEEPS 40  /* sweeps over all edges at most; chosen: five are usual */
+#define SEARCH_HEAT 4.0   /* score, first temperature; chosen: a seam that one edge prefers by it may be opened */
+#define SEARCH_STEPS 1500 /* changes tried for each edge in one annealing; chosen: half a second for 60 edges */
 #define SEARCH_GAIN 1e-9  /* a change that raises the score by less is none */
-#define CHANGES_OF_MATE 4 /* joined or not, mirrored or not */
+#define CHANGES_OF_MATE 6 /* alone, joined or continued; mirrored or not */
 
 
 static void *search_new(mus_context *context, int64_t count, size_t size)
@@ -128,6 +132,35 @@ static bool swap_twin(const mus__seam_facts *facts, int32_t p, int32_t *mate)
 }
 
 
+/* the free edge next to the end (or the start) of sewn edge a, round the vertex; MUS_NONE where the vertex is closed */
+static int32_t free_beside(const mus__seam_facts *facts, const int32_t *mate, int32_t a, bool end)
+{
+    int32_t at = end ? facts->edges[a].next : facts->edges[a].prev;
+    for (int32_t i = 0; i < facts->n && mate[at] != MUS_NONE; i++)
+        at = end ? facts->edges[mate[at]].next : facts->edges[mate[at]].prev;
+    return mate[at] == MUS_NONE ? at : MUS_NONE;
+}
+
+
+/* sews on from the seam of a and b, both ways along the opening, as long as the ratio of the lengths stays the same */
+static bool sew_on(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t *mate)
+{
+    const double ratio = facts->edges[a].log_length - facts->edges[b].log_length;
+    bool changed = false;
+    for (int32_t way = 0; way < 2; way++)
+        for (int32_t x = a, y = b;;) {
+            x = free_beside(facts, mate, x, way == 0);
+            y = free_beside(facts, mate, y, way != 0);
+            if (x == MUS_NONE || y == MUS_NONE || x == y) break;
+            if (fabs(facts->edges[x].log_length - facts->edges[y].log_length - ratio) > MUS__SEAM_EQUAL_RATIOS) break;
+            mate[x] = y;
+            mate[y] = x;
+            changed = true;
+        }
+    return changed;
+}
+
+
 bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change *change, int32_t *mate)
 {
     const int32_t a = change->a, b = change->b;
@@ -143,10 +176,10 @@ bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change
         return true;
     }
     if (!sew_pair(facts->fixed, a, b, change->join, mate)) return false;
-    if (!change->mirrored) return true;
-    if (c == MUS_NONE || d == MUS_NONE || c == b || (c == a && d == b)) return false;
-    if (c == a || d == b) return false;
-    return sew_pair(facts->fixed, c, d, change->join, mate);
+    if (!change->mirrored) return !change->on || sew_on(facts, a, b, mate);
+    if (c == MUS_NONE || d == MUS_NONE || c == b || c == a || d == b) return false;
+    if (!sew_pair(facts->fixed, c, d, change->join, mate)) return false;
+    return !change->on || (sew_on(facts, a, b, mate) | sew_on(facts, c, d, mate));
 }
 
 
@@ -165,8 +198,9 @@ bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_
         out->mirrored = k == 1;
     } else {
         out->b = search->near[(int64_t)a * SEARCH_NEAR + (k - 2) / CHANGES_OF_MATE];
-        out->join = (k - 2) % 2 == 1;
-        out->mirrored = (k - 2) % CHANGES_OF_MATE >= 2;
+        out->join = (k - 2) % CHANGES_OF_MATE % 3 == 1;
+        out->on = (k - 2) % CHANGES_OF_MATE % 3 == 2;
+        out->mirrored = (k - 2) % CHANGES_OF_MATE >= 3;
     }
     return true;
 }
@@ -209,14 +243,42 @@ static double climb(mus__seam_search *search, int32_t *mate)
 }
 
 
-/* frees the edges of panel p and of its image */
-static void tear(const mus__seam_facts *facts, int32_t p, int32_t *mate)
+static double next_random(uint64_t *state)
 {
-    const mus__seam_panel *panel = &facts->panels[p];
-    for (int32_t a = panel->first; a < panel->first + panel->n; a++) {
-        const int32_t b = facts->edges[a].mirror;
-        if (facts->fixed[a] == MUS_NONE) part_from_mate(mate, a);
-        if (b != MUS_NONE && facts->fixed[b] == MUS_NONE) part_from_mate(mate, b);
+    *state ^= *state << 13; /* Marsaglia, Xorshift RNGs, 2003 */
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    return (double)(*state >> 11) * 0x1p-53;
+}
+
+
+/* number of a change in mus__seam_change_list(); mates of high score more often than others */
+static int32_t random_change(const mus__seam_search *search, uint64_t *random)
+{
+    const int32_t each = CHANGES_OF_MATE * search->nnear + 2, all = search->facts->n * each + search->facts->npanel;
+    const int32_t i = (int32_t)(next_random(random) * all), k = i % each;
+    if (i >= search->facts->n * each || k < 2) return i;
+    const double u = next_random(random);
+    return i - (k - 2) / CHANGES_OF_MATE * CHANGES_OF_MATE + (int32_t)(u * u * search->nnear) * CHANGES_OF_MATE;
+}
+
+
+/* simulated annealing (Kirkpatrick, Gelatt and Vecchi 1983) from `mate`: the sewing at its end */
+static void anneal(mus__seam_search *search, int32_t steps, uint64_t *random, int32_t *mate)
+{
+    const mus__seam_facts *facts = search->facts;
+    const size_t bytes = sizeof *mate * (size_t)facts->n;
+    double score = mus__seam_score(search, mate);
+    for (int32_t step = 0; step < steps; step++) {
+        const double heat = SEARCH_HEAT * (1.0 - (double)step / steps);
+        mus__seam_change change;
+        memcpy(search->trial, mate, bytes);
+        if (!mus__seam_change_list(search, random_change(search, random), &change)) continue;
+        if (!mus__seam_change_apply(facts, &change, search->trial)) continue;
+        const double trial = mus__seam_score(search, search->trial);
+        if (trial < score && next_random(random) > mus__exp((trial - score) / fmax(heat, 1e-9))) continue;
+        score = trial;
+        memcpy(mate, search->trial, bytes);
     }
 }
 
@@ -251,19 +313,18 @@ void mus__seam_run(mus__seam_search *search, int32_t rounds)
 {
     const mus__seam_facts *facts = search->facts;
     const size_t bytes = sizeof *search->mate * (size_t)facts->n;
+    uint64_t random = UINT64_C(0x9E3779B97F4A7C15);
     memcpy(search->mate, facts->fixed, bytes);
     sew_greedily(search, search->mate);
     search->score = climb(search, search->mate);
-    for (int32_t round = 0; round < rounds; round++)
-        for (int32_t p = 0; p < facts->npanel; p++) {
-            memcpy(search->keep, search->mate, bytes);
-            tear(facts, p, search->keep);
-            if (round % 2 == 1) tear(facts, (p + 1 + round / 2) % facts->npanel, search->keep);
-            const double score = climb(search, search->keep);
-            if (score <= search->score + SEARCH_GAIN) continue;
-            search->score = score;
-            memcpy(search->mate, search->keep, bytes);
-        }
+    for (int32_t round = 0; round < rounds; round++) {
+        memcpy(search->keep, facts->fixed, bytes);
+        anneal(search, SEARCH_STEPS * facts->n, &random, search->keep);
+        const double score = climb(search, search->keep);
+        if (score <= search->score + SEARCH_GAIN) continue;
+        search->score = score;
+        memcpy(search->mate, search->keep, bytes);
+    }
 }
 
 

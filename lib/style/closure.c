@@ -10,7 +10,6 @@
 
 #include "style/bodice.h"
 
-#define CLOSURE_STAND (1.75 * MUS__CM)
 #define CLOSURE_ZIP (1.5 * MUS__CM)
 #define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
@@ -43,7 +42,7 @@ void mus__closure_set(mus__half *half)
         const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
         const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
         side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-        side->attr.allowance = !opens ? 0.0 : front ? 2.0 * CLOSURE_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        side->attr.allowance = !opens ? 0.0 : front ? 2.0 * MUS__BUTTON_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
         if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
         if (opens && front) closure_buttons(half, i);
     }

@@ -13,9 +13,6 @@
 
 #include "style/collar.h"
 
-/* length of a rib round the neck as part of the neckline; chosen, within the stretch of a knit */
-#define TURTLENECK_PART 0.87
-
 
 /* height of the lower edge of a collar above the floor [m]: between the nape and the pit of the neck */
 static double collar_height(const mus__half *half)
@@ -123,7 +120,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
 static void collar_turtleneck(mus__half *half, mus__neck *neck)
 {
     mus__board *board = &half->board;
-    const double k = mus__measures_scale(&half->measures), x = TURTLENECK_PART * neck->length;
+    const double k = mus__measures_scale(&half->measures), x = MUS__RIB_PART * neck->length;
     const double corner[4][2] = {{0.0, 0.0}, {x, 0.0}, {0.0, 7.5 * k * MUS__CM}, {x, 7.5 * k * MUS__CM}};
     mus__chain bottom, top;
     int32_t sides[4];

@@ -8,12 +8,12 @@
  *   angle = (l1 - l0) / h, radii l0 / angle and l1 / angle of lower and upper edge
  *
  * A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is eased, gathered or
- * pleated into it. A facing lies inside and is not a panel: the line to cut it along is marked on the pieces. A waist
- * that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
+ * pleated into it. A facing lies inside and is not draped: lib/finish traces it from the waist. A waist that is
+ * gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
  * mus_design(3).
  *
- * A strip is cut once and turned in along its upper edge, whose allowance is the inner layer. A band of a cone is cut
- * twice, an outer and an inner layer. Both have interfacing, except the casing of an elastic.
+ * A band is cut twice, an outer and an inner layer, and once of interfacing. The casing of an elastic is cut once and
+ * turned in along its upper edge, whose allowance is the inner layer.
  */
 #include <math.h>
 #include <string.h>
@@ -21,7 +21,6 @@
 #include "base/elementary.h"
 #include "style/waist_edge.h"
 
-#define BAND_FACING (5.0 * MUS__CM)
 #define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */
 #define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
 #define BAND_ELASTIC_RATIO 0.9
@@ -95,15 +94,15 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
         mus__chain_line(&low, p[0], p[2]);
         mus__chain_line(&high, p[3], p[5]);
     }
-    const bool cone = fabs(angle) > 1e-4, elastic = mus__style_is(half, MUS__AXIS_BAND, MUS__BAND_ELASTIC);
+    const bool elastic = mus__style_is(half, MUS__AXIS_BAND, MUS__BAND_ELASTIC);
     mus__outline outline;
     mus__outline_begin(&outline);
     mus__outline_add(&outline, "low", "band", MUS__SEAM_ALLOWANCE, &low);
     mus__outline_line(&outline, "end", "side", MUS__SEAM_ALLOWANCE, p[2], p[3]);
-    mus__outline_add(&outline, "top", "waist", (cone ? 0.0 : h) + MUS__SEAM_ALLOWANCE, &high);
+    mus__outline_add(&outline, "top", "waist", (elastic ? h : 0.0) + MUS__SEAM_ALLOWANCE, &high);
     mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, p[5], p[0]);
     const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
-    mus__half_cut(half, panel, cone ? 2 : 1, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
+    mus__half_cut(half, panel, elastic ? 1 : 2, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
     mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));
@@ -120,25 +119,6 @@ static void band_stay(mus__half *half, int32_t side, double level)
     if (half->style.option[MUS__AXIS_BAND] != MUS__BAND_ELASTIC) return;
     stay->ratio = BAND_ELASTIC_RATIO;
     stay->stiffness = BAND_ELASTIC_STIFFNESS;
-}
-
-
-/* marks the lower edge of a facing on the pieces, below the waist by its depth */
-static void band_facing_mark(mus__half *half, int32_t n, const int32_t *waist)
-{
-    mus__board *board = &half->board;
-    const double depth = BAND_FACING * mus__lower_scale(half);
-    for (int32_t i = 0; i < n && board->status == MUS_OK; i++) {
-        double xy[8];
-        const double length = board->side[waist[i]].length;
-        for (int k = 0; k < 4; k++) {
-            double tangent[2];
-            mus__board_at(board, waist[i], length * (0.02 + 0.32 * k), xy + 2 * k, tangent);
-            xy[2 * k] -= depth * tangent[1];
-            xy[2 * k + 1] += depth * tangent[0];
-        }
-        mus__board_mark_add(board, board->side[waist[i]].panel, "facing", 4, xy);
-    }
 }
 
 
@@ -162,7 +142,6 @@ void mus__band_attach(mus__half *half)
     band_plan_make(half, full, band_joint(half, n, waist, 0.5), &plan);
     if (!(plan.height > 0.0)) {
         for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], mus__lower_level(half));
-        band_facing_mark(half, n, waist);
         return;
     }
     const int32_t front = band_draw(half, &plan, true), back = band_draw(half, &plan, false);

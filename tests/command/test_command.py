@@ -174,7 +174,7 @@ def test_a_dxf_in_sizes_comes_back_and_what_it_loses_is_told(command, skirt, tmp
             "--sizes", "W36,W44", "--plt", tmp_path / "n.plt")
     for options in ([], ["--size", "W44"], ["--size", "W44", "--rul", tmp_path / "n.rul"]):
         command("convert", tmp_path / "n.dxf", tmp_path / "n.json", *options)
-        assert len(json.loads((tmp_path / "n.json").read_text())["panels"]) == 4
+        assert len(json.loads((tmp_path / "n.json").read_text())["panels"]) == 5  # with the neckband
     assert (tmp_path / "n.plt").read_text().startswith("IN;PS")
 
 

@@ -27,6 +27,8 @@ static mus_sheet *tshirt(mus_context *context, mus_pattern **pattern)
     mus_sheet *sheet;
     *pattern = draft(context, "W40");
     ck_assert_int_eq(mus_sheet_create(context, *pattern, NULL, &sheet), MUS_OK);
+    /* the panels that are cut and not draped follow those of the pattern */
+    ck_assert_int_eq(mus_pattern_join(*pattern, mus_pattern_cut_only(*pattern), 0), MUS_OK);
     return sheet;
 }
 
@@ -183,7 +185,7 @@ static void assert_same_lines(const mus_sheet *one, int32_t piece, const mus_she
         ck_assert_double_lt(best, 1e-9);
         sewn++;
     }
-    ck_assert_int_gt(sewn, 3);
+    ck_assert_int_gt(sewn, 2); /* the half of a strip has three */
 }
 
 

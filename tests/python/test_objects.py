@@ -413,7 +413,7 @@ def test_bytes_are_the_files_and_read_back(tmp_path):
     assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()
     assert sheet.pdf_bytes().startswith(b"%PDF")
     sewn = [line for line in sheet.lines if line[1] == 1]
-    assert len(sewn) == len({line[2] for line in sewn}) and len(sheet.pieces) == 3
+    assert len(sewn) == len({line[2] for line in sewn}) and len(sheet.pieces) == 4  # with the neckband
 
 
 def test_a_manifold_is_closed_and_does_not_need_its_body(context):

@@ -98,13 +98,15 @@ START_TEST(the_surface_of_a_skirt_is_a_tube)
     mus__seam_whole(&facts, mate, scratch, whole);
     ck_assert_double_eq(whole[MUS__SEAM_COMPONENTS], 0.0);
     ck_assert_double_eq(whole[MUS__SEAM_HANDLES], 0.0);
-    ck_assert_double_eq(whole[MUS__SEAM_OPENINGS], 2.0);
+    ck_assert_double_eq(whole[MUS__SEAM_OPENINGS_2], 1.0);
+    ck_assert_double_eq(whole[MUS__SEAM_SEALED], 0.0);
     ck_assert_double_eq(whole[MUS__SEAM_OPEN_2], 4.0);
     ck_assert_double_eq(whole[MUS__SEAM_UNEVEN], 0.0);
     /* hem and waist sewn too: a pillow, which is a sphere */
     mate[0] = 4, mate[4] = 0, mate[2] = 6, mate[6] = 2;
     mus__seam_whole(&facts, mate, scratch, whole);
-    ck_assert_double_eq(whole[MUS__SEAM_OPENINGS], 0.0);
+    ck_assert_double_eq(whole[MUS__SEAM_OPENINGS_2], 0.0);
+    ck_assert_double_eq(whole[MUS__SEAM_SEALED], 1.0);
     ck_assert_double_eq(whole[MUS__SEAM_HANDLES] + whole[MUS__SEAM_COMPONENTS], 0.0);
     ck_assert_double_eq(whole[MUS__SEAM_CLOSED_2], 4.0);
     mus__seam_free(&facts);

@@ -14,8 +14,11 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     nest     three sizes on one sheet: each layer has the cut lines of that size's own sheet, in dashes of its own
     seam     both edges of a seam are as long as each other, but for the ease that the seam says
     notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
+    piece    every piece that sewing needs is there, by the words of the design: a table by closure, neck, pocket, waist
 
-    python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2]
+    python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2] [--table]
+
+With --table the pieces alone are asked, of the pattern files: a minute for all designs.
 
 Limits are beside the checks. Exit 1 when one is passed. Needs no package.
 """
@@ -629,12 +632,12 @@ def lone_pages(pdf, tiles, size):
     return count
 
 
-def in_panels_order(pattern, panels, pieces):
+def in_panels_order(panels, pieces):
     """Pieces in the order of their panels: a page shows them in the order of the sheet, several pages do not. Panels are
     told apart by the lengths of their edges."""
     rest, out = list(pieces), []
-    for panel in panels:
-        own = sorted(length(edge_points(pattern, edge)) for edge, _ in rim(panel["outline"]))
+    for part, panel in panels:
+        own = sorted(length(edge_points(part, edge)) for edge, _ in rim(panel["outline"]))
 
         def unlike(piece, own=own):
             other = sorted(length(line) for line in piece["sew"])
@@ -645,11 +648,115 @@ def in_panels_order(pattern, panels, pieces):
     return out + rest
 
 
+# ---- what sewing needs ----
+
+def axes_of(command, design, garment):
+    """{axis: option} of a design, with the options that its words leave out."""
+    shown = subprocess.run([command, "designs", "--show", design, "--json"], capture_output=True, check=True).stdout
+    return {"garment": garment, **json.loads(shown)["axes"]}
+
+
+def needed(axes):
+    """[(row of the table, name of the panel as an expression, {material: least count})] of a design's words. Written
+    from what a sewing book asks for, not from the library's rules."""
+    at = axes.get
+    upper, block = "neck" in axes, at("ease") == "block" or at("skirt") in ("block", "plain")
+    knit, need = at("cloth") == "knit", []
+    if block:
+        return need
+    collar, neck = at("collar", "none"), at("neck", "none")
+    if upper and at("shape") == "neck_gathers":
+        need.append(("neck: gathered into a band", "neck_band", {"main": 1, "interfacing": 1}))
+    elif upper and collar in ("none", "peter_pan", "shawl", "sailor"):
+        if knit and collar == "none" and neck in ("jewel", "scoop", "v", "deep_v", "square", "boat"):
+            need.append(("neck: knit, no collar", "neckband", {"rib": 1}))
+        else:
+            where = "no collar" if collar == "none" else "flat collar"
+            need.append((f"neck: {where}, front", "front.*_facing", {"main": 1, "interfacing": 1}))
+            need.append((f"neck: {where}, behind", "(back|back_left|strap)(_yoke)?_facing" if neck != "halter" else "strap",
+                         {"main": 1}))
+    if collar in ("mandarin", "shirt", "peter_pan", "shawl", "sailor"):
+        need.append((f"collar: {collar}", "collar(_left)?", {"main": 2, "interfacing": 1}))
+    if collar == "shirt":
+        need.append(("collar: shirt, the leaf on its stand", "collar_leaf", {"main": 2, "interfacing": 1}))
+    if collar == "turtleneck":
+        need.append(("collar: turtleneck", "collar", {"rib": 1} if knit else {"main": 1}))
+    if collar == "hood":
+        need.append(("collar: hood, lined", "hood_left", {"main": 2, "lining": 2}))
+    if upper and axes["garment"] != "cape" and at("sleeve", "none") == "none" and neck != "strapless":
+        if knit and neck != "halter":
+            need.append(("armhole: knit, no sleeve", "armhole_band", {"rib": 2}))
+        else:
+            need.append(("armhole: no sleeve", "(front|back).*_armhole_facing", {"main": 2, "interfacing": 2}))
+    cuff = at("cuff", "none")
+    if cuff == "none" and at("sleeve") in ("puff", "bishop"):
+        cuff = "cuff"
+    if cuff != "none":
+        need.append((f"sleeve: {cuff}", "cuff_left", {"rib": 2} if cuff == "rib" else {"main": 2, "interfacing": 2}))
+    if at("yoke") == "yoke":
+        need.append(("yoke: two layers", "back_yoke", {"main": 2}))
+    if upper and at("closure") == "front":
+        need.append(("closure: buttons in front", "button_stand", {"interfacing": 2}))
+    if at("pocket") == "patch":
+        need.append(("pocket: patch", "pocket(_left)?", {"main": 1}))
+    if axes["garment"] in ("skirt", "trousers"):
+        band = at("band", "straight")
+        if band in ("straight", "contour"):
+            need.append((f"waist: {band} band, front", "band_front", {"main": 2, "interfacing": 1}))
+            need.append((f"waist: {band} band, back", "band_back", {"main": 2, "interfacing": 1}))
+        elif band == "elastic":
+            need.append(("waist: elastic in its casing", "band_front", {"main": 1}))
+            need.append(("waist: elastic, its length", "elastic", {"elastic": 1}))
+        elif band == "facing":
+            need.append(("waist: faced, or a narrow band", ".*_waist_facing|band_front", {"main": 1, "interfacing": 1}))
+    if axes["garment"] == "trousers" and at("closure") == "front":
+        need.append(("closure: fly", "fly_facing", {"main": 1, "interfacing": 1}))
+        need.append(("closure: fly", "fly_shield", {"main": 1}))
+        if at("band") in ("straight", "contour"):
+            need.append(("waist: belt loops", "belt_loops", {"main": 1}))
+    if at("leg") in ("jogger", "harem"):
+        need.append(("leg: rib", "leg_rib_left", {"rib": 2}))
+    return need
+
+
+def needs(axes, pattern):
+    """[(row, pieces, name of one that is there or None)] of a pattern file."""
+    cut = {}
+    for part in (pattern, pattern.get("cut_only", {"panels": []})):
+        for panel in part["panels"]:
+            if panel.get("mirror_of") is None:
+                cut[panel["name"]] = {"main": panel["cut"], **panel.get("materials", {})}
+    rows = []
+    for row, name, least in needed(axes):
+        own = [k for k, counts in cut.items() if re.fullmatch(name, k)
+               and all(counts.get(m, 0) >= n for m, n in least.items())]
+        rows.append((row, " + ".join(f"{n} {m}" for m, n in least.items()), own[0] if own else None))
+    return rows
+
+
+def print_needs(table):
+    """The table: each row with what it needs, the designs that need it and those that have it; returns what is missing."""
+    print(f"  {'needed by':38} {'pieces':28} designs  there  for example")
+    missing = 0
+    for (row, least), (asked, there, example) in sorted(table.items()):
+        missing += asked - there
+        print(f"  {row:38} {least:28} {asked:7} {there:6}  {example}")
+    return missing
+
+
+def table_of(job):
+    """check_design() of the pieces alone, of the pattern file."""
+    command, design, garment, size = job
+    done = subprocess.run([command, "draft", "--design", design, "--size", size, "-o", "-"], capture_output=True, check=True)
+    return design, size, {}, {"darts": 0, "pieces": 0, "needs": needs(axes_of(command, design, garment),
+                                                                      json.loads(done.stdout))}
+
+
 def check_design(job):
     """{check: (worst, where)} of one design in one size, and the number of darts."""
-    command, design, size = job
+    command, design, garment, size = job
     worst = {}
-    count = {"darts": 0, "pieces": 0}
+    count = {"darts": 0, "pieces": 0, "needs": []}
     with tempfile.TemporaryDirectory() as folder:
         file, pdf = f"{folder}/p.json", f"{folder}/p.pdf"
         for words in (["draft", "--design", design, "--size", size, "-o", file],
@@ -666,18 +773,21 @@ def check_design(job):
         if size in NESTS:
             check_nest(command, design, NESTS[size], folder,
                        lambda check, value, where="": worst.__setitem__(check, max((value, where), worst.get(check, (-1.0, "")))))
-    seams, lengths = seams_of(pattern), {}
-    panels = [panel for panel in pattern["panels"] if panel.get("mirror_of") is None]
-    pieces = in_panels_order(pattern, panels, pieces)
-    for k, panel in enumerate(panels):
+    # the panels of the garment, then those that are cut and not draped, which are a pattern of their own
+    lengths = {}
+    panels = [(part, panel) for part in (pattern, pattern.get("cut_only", {"panels": []})) for panel in part["panels"]
+              if panel.get("mirror_of") is None]
+    pieces = in_panels_order(panels, pieces)
+    for k, (part, panel) in enumerate(panels):
         def note(check, value, where="", panel=panel):
             if check == "mouth":
                 count["darts"] += 1
             if check not in worst or value > worst[check][0]:
                 worst[check] = (value, f"{panel['name']} {where}".strip())
         if k < len(pieces):
-            check_piece(pattern, panel, pieces[k], seams, note, lengths)
+            check_piece(part, panel, pieces[k], seams_of(part), note, lengths if part is pattern else {})
     count["pieces"] = len(pieces)
+    count["needs"] = needs(axes_of(command, design, garment), pattern)
     if len(panels) != len(pieces):
         worst["place"] = (99.0, f"{len(pieces)} pieces for {len(panels)} panels")
 
@@ -696,17 +806,23 @@ def main():
     ask.add_argument("--sizes", default="W40,M50,C116", help="a design is drafted in those that it is made for")
     ask.add_argument("--every", type=int, default=1, help="every n-th design")
     ask.add_argument("--designs", default="", help="these alone")
+    ask.add_argument("--table", action="store_true", help="the table of needed pieces alone")
     ask.add_argument("--jobs", type=int, default=1)
     args = ask.parse_args()
     rows = json.loads(subprocess.run([args.command, "designs", "--json"], capture_output=True, check=True).stdout)
     group = {"W": "women", "M": "men", "C": "children"}
     names = args.designs.split(",") if args.designs else [row["name"] for row in rows[::args.every]]
-    jobs = [(args.command, row["name"], size) for row in rows if row["name"] in names for size in args.sizes.split(",")
+    jobs = [(args.command, row["name"], row["words"].split()[0], size) for row in rows if row["name"] in names for size in args.sizes.split(",")
             if group[size[0]] in row.get("groups", ["women"])]
-    worst, over, darts, pieces = {}, 0, 0, 0
+    worst, over, darts, pieces, table = {}, 0, 0, 0, {}
     with concurrent.futures.ProcessPoolExecutor(args.jobs) as pool:
-        for design, size, found, count in pool.map(check_design, jobs, chunksize=4):
+        for design, size, found, count in pool.map(table_of if args.table else check_design, jobs, chunksize=4):
             darts += count["darts"]
+            for row, least, own in count["needs"]:
+                asked, there, example = table.get((row, least), (0, 0, ""))
+                table[row, least] = (asked + 1, there + (own is not None), example or f"{design}: {own}")
+                if own is None:
+                    print(f"{design} {size}: no piece for \"{row}\": {least}")
             pieces += count["pieces"]
             for check, (value, where) in found.items():
                 if value > LIMITS[check]:
@@ -714,11 +830,11 @@ def main():
                     print(f"{design} {size}: {check} {value:.3f} (limit {LIMITS[check]}): {where}")
                 if check not in worst or value > worst[check][0]:
                     worst[check] = (value, f"{design} {size} {where}")
-    print(f"{len(jobs)} patterns, {pieces} pieces, {darts} darts, {over} over a limit")
+    print(f"{len(jobs)} patterns" + ("" if args.table else f", {pieces} pieces, {darts} darts, {over} over a limit"))
     for check, limit in LIMITS.items():
         if check in worst:
             print(f"  {check:7} worst {worst[check][0]:8.3f} of {limit}: {worst[check][1]}")
-    return 1 if over else 0
+    return 1 if print_needs(table) or over else 0
 
 
 if __name__ == "__main__":

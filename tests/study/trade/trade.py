@@ -89,6 +89,15 @@ class Piece:
         return 1e3 * (np.array(points) @ turn.T + shift)
 
 
+def joined(pattern):
+    """A pattern as a sheet takes it: the panels that are cut and not draped follow its own."""
+    extra, all_panels = pattern.cut_only(), pattern.copy()
+    if extra is not None:
+        all_panels.join(extra, 0)
+        all_panels.set_cut_only(None)
+    return all_panels
+
+
 def legs_of_darts(pattern, panel):
     """Edges of a panel between the ends of a dart's mouth: the cut line runs across the mouth, so that a leg without an
     allowance of its own has none."""
@@ -212,6 +221,7 @@ def round_trip(args):
     worst = notch = 0.0
     losses = collections.Counter()
     for name, pattern in patterns(args.data, args.every):
+        pattern = joined(pattern)
         try:
             sheet = Sheet(pattern, paper="roll")
         except muslin.MuslinError as error:  # an outline that cannot be cut is told, and there is no file
@@ -380,7 +390,7 @@ def rules():
             break
         sizes = SIZES[known[name]]
         try:
-            drafts = {size: muslin.draft(name, tape_of(size)) for size in sizes}
+            drafts = {size: joined(muslin.draft(name, tape_of(size))) for size in sizes}
             sheets = {size: Sheet(drafts[size], paper="roll") for size in sizes}
             others = {size: sheets[size] for size in sizes[1:]}
             options = {"size_name": sizes[0].encode(), "sizes": others}

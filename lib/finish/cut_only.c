@@ -1,0 +1,187 @@
+/*
+ * cut_only.c: the panels that a garment needs to be sewn and that are not draped, by the words of its style:
+ *
+ *   neck       a knit with a round, V, square or boat neck and no collar: a band of rib; any other neck without a
+ *              collar, and a neck with a collar that lies flat: facings
+ *   armhole    without a sleeve: of a knit a band of rib, else facings
+ *   waist      band=facing: facings
+ *   fly        trousers that open in front: fly facing and shield; with a band also belt loops
+ *   pocket     a pocket that is marked on a panel and is no panel itself: a patch
+ *   buttons    interfacing of the button stand
+ *   elastic    every edge with an elastic: its tape
+ *
+ * All are drawn from the drafted pattern: facings are traced from its edges, strips have the lengths of its edges.
+ * Blocks (ease=block, band=none) are drafts to work on, and get none. A rib is as long as MUS__RIB_PART of its edge.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "finish/cut_only.h"
+
+
+/* whether an edge is free and has the label, on a panel that is no collar or hood; an empty label: any */
+static bool cut_free(const mus__cut_only *job, int32_t edge, const char *label)
+{
+    const char *part = mus_pattern_panel_label(job->pattern, mus_pattern_edge_panel(job->pattern, edge));
+    return mus_pattern_edge_seam(job->pattern, edge) == MUS_NONE && strcmp(part, "collar") != 0 &&
+           strcmp(part, "hood") != 0 && strcmp(mus_pattern_edge_label(job->pattern, edge), label) == 0;
+}
+
+
+/* length of all free edges with a label [m] */
+static double cut_length(const mus__cut_only *job, const char *label)
+{
+    double length = 0.0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++)
+        if (cut_free(job, i, label)) length += mus_pattern_edge_length(job->pattern, i);
+    return length;
+}
+
+
+/* a band of rib, folded along its middle, its ends sewn to a ring */
+static void cut_rib(mus__cut_only *job, const char *name, double length, int32_t count)
+{
+    const double high = 2.0 * job->scale * MUS__CM;
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = name, .label = "rib", .length = MUS__RIB_PART * length,
+                                              .width = high, .turned = high + MUS__SEAM_ALLOWANCE,
+                                              .material = MUS_MATERIAL_RIB, .count = count});
+}
+
+
+static void cut_neck(mus__cut_only *job, const mus__style *style)
+{
+    const int32_t collar = style->option[MUS__AXIS_COLLAR], neck = style->option[MUS__AXIS_NECK];
+    const bool flat = collar == MUS__COLLAR_PETER_PAN || collar == MUS__COLLAR_SHAWL || collar == MUS__COLLAR_SAILOR;
+    if (collar != MUS__COLLAR_NONE && !flat) return;
+    if (style->option[MUS__AXIS_SHAPE] == MUS__SHAPE_NECK_GATHERS) return;
+    if (style->option[MUS__AXIS_CLOTH] == MUS__CLOTH_KNIT && !flat && neck <= MUS__NECK_BOAT)
+        cut_rib(job, "neckband", cut_length(job, "neck"), 1);
+    else mus__cut_facings(job, "neck", "_facing");
+}
+
+
+static void cut_armhole(mus__cut_only *job, const mus__style *style)
+{
+    if (style->option[MUS__AXIS_SLEEVE] != MUS__SLEEVE_NONE || style->option[MUS__AXIS_GARMENT] == MUS__GARMENT_CAPE)
+        return;
+    const bool halter = style->option[MUS__AXIS_NECK] == MUS__NECK_HALTER;
+    if (style->option[MUS__AXIS_CLOTH] == MUS__CLOTH_KNIT && !halter)
+        cut_rib(job, "armhole_band", 0.5 * cut_length(job, "armhole"), 2);
+    else mus__cut_facings(job, "armhole", "_armhole_facing");
+}
+
+
+/* height of the front waistband [m]; 0 without one */
+static double cut_band(const mus__cut_only *job)
+{
+    const int32_t band = mus_pattern_find_panel(job->pattern, "band_front");
+    const int32_t end = mus_pattern_find_edge(job->pattern, band, "end");
+    return end != MUS_NONE ? mus_pattern_edge_length(job->pattern, end) : 0.0;
+}
+
+
+/* a fly as long as the hand is wide and the hips pass, a shield under it, and five loops with a turned end of 1.5 cm
+ * each, cut as one strip */
+static void cut_fly(mus__cut_only *job, const mus__style *style)
+{
+    const double cm = job->scale * MUS__CM, band = cut_band(job);
+    if (style->option[MUS__AXIS_CLOSURE] != MUS__CLOSURE_FRONT) return;
+    mus__cut_fly(job, 4.0 * cm, 18.0 * cm);
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "fly_shield", .label = "fly", .length = 18.0 * cm,
+                                              .width = 4.5 * cm, .turned = 4.5 * cm + MUS__SEAM_ALLOWANCE,
+                                              .lengthwise = true, .material = MUS_MATERIAL_MAIN, .count = 1});
+    if (band > 0.0)
+        mus__cut_strip_add(job, &(mus__cut_strip){.name = "belt_loops", .label = "loop",
+                                                  .length = 5.0 * (band + 3.0 * cm), .width = 1.0 * cm,
+                                                  .lengthwise = true, .material = MUS_MATERIAL_MAIN, .count = 1});
+}
+
+
+/* patches of the pockets that are marks alone */
+static void cut_pockets(mus__cut_only *job)
+{
+    int32_t count = 0, n = 0;
+    const double *xy = NULL;
+    for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++) {
+        const char *name;
+        int32_t points;
+        const double *own;
+        if (mus_pattern_mark(job->pattern, i, NULL, &name, &points, &own) != MUS_OK) continue;
+        if (strcmp(name, "pocket") != 0 || points != 5) continue;
+        xy = own, n = points;
+        count++;
+    }
+    for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
+        if (strncmp(mus_pattern_panel_name(job->pattern, i), "pocket_", 7) == 0) count--;
+    if (count <= 0 || n == 0) return;
+    const double wide = fabs(xy[4] - xy[0]), high = fabs(xy[1] - xy[3]);
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "pocket", .label = "pocket", .length = wide, .width = high,
+                                              .turned = MUS__HEM_ALLOWANCE, .material = MUS_MATERIAL_MAIN,
+                                              .count = count});
+}
+
+
+/* strips for the button stand of both fronts */
+static void cut_stand(mus__cut_only *job)
+{
+    double length = 0.0;
+    for (int32_t i = 0; i < mus_pattern_seam_count(job->pattern); i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        if (mus_pattern_seam(job->pattern, i, &seam) == MUS_OK && seam.closure == MUS_CLOSURE_BUTTONS)
+            length += mus_pattern_edge_length(job->pattern, seam.edge_a);
+    }
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "button_stand", .label = "closure", .length = length,
+                                              .width = 2.0 * MUS__BUTTON_STAND, .lengthwise = true,
+                                              .material = MUS_MATERIAL_INTERFACING, .count = 2});
+}
+
+
+/* the tape of the elastics of each label: a ring with 2 cm to lap, or two halves where a closure parts it */
+static void cut_elastic(mus__cut_only *job)
+{
+    double length = 0.0, width = 0.01;
+    int32_t count = 0, twins = 0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
+        double ratio, stiffness;
+        int32_t of = MUS_NONE;
+        const int32_t panel = mus_pattern_edge_panel(job->pattern, i);
+        if (mus_pattern_edge_elastic(job->pattern, i, &ratio, &stiffness) != MUS_OK || !(stiffness > 0.0)) continue;
+        length += ratio * mus_pattern_edge_length(job->pattern, i);
+        mus_pattern_cut(job->pattern, panel, NULL, &of);
+        count++;
+        twins += of != MUS_NONE;
+        /* a casing is 5 mm wider than its elastic */
+        if (strcmp(mus_pattern_panel_label(job->pattern, panel), "elastic") == 0) width = cut_band(job) - 0.005;
+    }
+    const int32_t parts = count > 0 && 2 * twins == count ? 2 : 1;
+    if (count == 0) return;
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "elastic", .label = "elastic", .length = length / parts + 0.02,
+                                              .width = width, .lengthwise = true, .material = MUS_MATERIAL_ELASTIC,
+                                              .count = parts});
+}
+
+
+mus_status mus__cut_only_make(const mus__style *style, double scale, mus_pattern *pattern)
+{
+    const int32_t garment = style->option[MUS__AXIS_GARMENT];
+    mus__cut_only job = {.pattern = pattern, .scale = scale};
+    if (style->option[MUS__AXIS_EASE] == MUS__EASE_BLOCK) return MUS_OK;
+    job.status = mus_pattern_create(mus_pattern_context(pattern), mus_pattern_name(pattern), &job.made);
+    if (job.status != MUS_OK) return job.status;
+    if (mus__style_has(garment, MUS__AXIS_NECK)) {
+        cut_neck(&job, style);
+        cut_armhole(&job, style);
+    }
+    const bool waist = garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS;
+    if (waist && style->option[MUS__AXIS_BAND] == MUS__BAND_FACING && !(cut_band(&job) > 0.0))
+        mus__cut_facings(&job, "waist", "_waist_facing");
+    if (garment == MUS__GARMENT_TROUSERS) cut_fly(&job, style);
+    cut_pockets(&job);
+    cut_stand(&job);
+    cut_elastic(&job);
+    if (job.status == MUS_OK && mus_pattern_panel_count(job.made) > 0)
+        job.status = mus_pattern_set_cut_only(pattern, job.made);
+    mus_pattern_destroy(job.made);
+    return job.status;
+}

@@ -1,0 +1,36 @@
+/*
+ * cut_only_strip.c: rectangles that are cut and not draped: bands of rib, pockets, belt loops, elastic.
+ */
+#include "finish/cut_only.h"
+
+
+
+void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
+{
+    static const char *const names[4] = {"low", "end", "top", "end"};
+    static const int32_t along[4] = {1, 1, 1, 1};
+    const double x = 0.5 * strip->length, xy[4][2] = {{-x, 0.0}, {x, 0.0}, {x, strip->width}, {-x, strip->width}};
+    const double seam = strip->material == MUS_MATERIAL_ELASTIC ? 0.0 : MUS__SEAM_ALLOWANCE;
+    int32_t panel = MUS_NONE, point[4], edge[4];
+    if (job->status != MUS_OK || !(strip->length > 0.0)) return;
+    job->status = mus_pattern_add_panel(job->made, strip->name, &panel);
+    for (int32_t i = 0; i < 4 && job->status == MUS_OK; i++)
+        job->status = mus_pattern_add_point(job->made, panel, xy[i][0], xy[i][1], &point[i]);
+    for (int32_t i = 0; i < 4 && job->status == MUS_OK; i++) {
+        mus_edge_def def;
+        mus_edge_def_init(&def, sizeof def);
+        def.name = names[i], def.start = point[i], def.end = point[(i + 1) % 4];
+        job->status = mus_pattern_add_edge(job->made, &def, &edge[i]);
+        if (job->status == MUS_OK)
+            job->status = mus_pattern_set_edge_allowance(job->made, edge[i],
+                                                         i == 2 && strip->turned > 0.0 ? strip->turned : seam);
+    }
+    if (job->status == MUS_OK) job->status = mus_pattern_set_outline(job->made, panel, 4, edge, along);
+    if (job->status == MUS_OK) job->status = mus_pattern_set_panel_label(job->made, panel, strip->label);
+    if (job->status == MUS_OK && strip->lengthwise) job->status = mus_pattern_set_grain(job->made, panel, 1.0, 0.0);
+    if (job->status == MUS_OK) job->status = mus_pattern_set_cut(job->made, panel, 0, MUS_NONE);
+    if (job->status == MUS_OK)
+        job->status = mus_pattern_set_material(job->made, panel, strip->material, strip->count);
+    if (job->status == MUS_OK && strip->interfaced)
+        job->status = mus_pattern_set_material(job->made, panel, MUS_MATERIAL_INTERFACING, 1);
+}

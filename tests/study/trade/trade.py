@@ -442,15 +442,16 @@ def garmentcode(args):
         except muslin.MuslinError as error:
             print(f"  {name}: {error}")
             continue
-        area = max(abs(pattern.area(i) - again.area(i)) for i in range(len(pattern.panels)))
+        # how far the outline would have to move all round for the area to differ by as much [m]
+        moved = max(abs(pattern.area(i) - again.area(i)) / pattern.perimeter(i) for i in range(len(pattern.panels)))
         around = max(abs(pattern.perimeter(i) - again.perimeter(i)) for i in range(len(pattern.panels)))
         sewn = [held(pattern)[0], held(again)[0]]
         others += held(pattern)[1]
         worst = max(worst, 1e3 * around)
-        fine = area < 1e-8 and around < 1e-6 and abs(sewn[0] - sewn[1]) < 1e-5
+        fine = moved < 1e-8 and around < 1e-6 and abs(sewn[0] - sewn[1]) < 1e-5
         good += fine
         if not fine and args.list:
-            print(f"  {name}: area {area:.1e} m2, outline {around:.1e} m, sewn {sewn[0]:.4f} and {sewn[1]:.4f} m")
+            print(f"  {name}: area as if moved by {moved:.1e} m, outline {around:.1e} m, sewn {sewn[0]:.4f} and {sewn[1]:.4f} m")
     print(f"garmentcode: {good} of {count} patterns keep outlines and seams; outlines as long within {worst:.1e} mm; "
           f"{others} seams are second seams of an edge or inside a panel, which the form has not")
     return good == count

@@ -178,7 +178,7 @@ mus_status mus__drape_plane_cache(mus_drape *drape)
 }
 
 
-double mus__drape_inertia(mus_drape *drape, int32_t scaled, double step)
+double mus__drape_rate(mus_drape *drape, int32_t scaled)
 {
     mus__drape_stale(drape);
     if (scaled)
@@ -201,24 +201,23 @@ double mus__drape_inertia(mus_drape *drape, int32_t scaled, double step)
         if (!irregular && rate2 > lattice) lattice = rate2;
     }
     if (!(lattice > 0.0) && heavy > 0.0) lattice = stiff / heavy;
-    const double wanted = step > 0.0 ? 2.62 / step : 0.0;
-    const double own = scaled ? lattice : all, most = wanted * wanted;
-    const double reference = step > 0.0 && own > most ? most : own;
-    drape->relax.raised = reference > 0.0 ? own / reference : 1.0;
-    drape->relax.rate2 = reference;
+    return scaled ? lattice : all;
+}
 
+
+void mus__drape_inertia(mus_drape *drape, double rate2)
+{
+    drape->relax.rate2 = rate2;
     for (int32_t i = 0; i < drape->n; i++) {
         const double mass = drape->mass[i];
         if (mass <= 0.0 || drape->pinned[i]) {
             drape->sim.ops->set_node(&drape->sim, i, 0.0, 0.0);
             continue;
         }
-        const double needed = reference > 0.0 ? drape->stepping.stiffness[i] / reference : 0.0;
+        const double needed = rate2 > 0.0 ? drape->stepping.stiffness[i] / rate2 : 0.0;
         const double inertia = needed > mass ? needed : mass;
         drape->sim.ops->set_node(&drape->sim, i, 1.0 / inertia, mass / inertia);
     }
-    /* h = 2.62 / sqrt(max T/m): proof in the header of mus_drape_step_bound */
-    return reference > 0.0 ? 2.62 / sqrt(reference) : 1e9;
 }
 
 

@@ -96,11 +96,12 @@ mus_status mus__drape_check_reach(const mus_drape *drape, const double *x);
 void mus__drape_name_skipped(mus_drape *drape);
 /* empty the plane cache, taking its memory at the first call, and let the sim use it. Errors: MUS_ERR_MEMORY */
 mus_status mus__drape_plane_cache(mus_drape *drape);
-/* set the inertia of all nodes. scaled 0: true masses, a bound for every pose. scaled nonzero: the bound at the pose x,
- * and a larger inertia where the stiffness asks for a smaller step than the lattice needs (mass scaling; a rest shape
- * does not depend on inertia). step: a bound [s] that all inertia is raised for, 0: none. Returns the step bound of
- * RK4 [s] */
-double mus__drape_inertia(mus_drape *drape, int32_t scaled, double step);
+/* the largest rate of motion, squared [1/s2], that inertia is to be set for. scaled 0: with true masses, in every pose.
+ * scaled nonzero: at the pose x, of the lattice alone: where the stiffness asks for more, inertia is raised (mass scaling;
+ * a rest shape does not depend on inertia) */
+double mus__drape_rate(mus_drape *drape, int32_t scaled);
+/* set the inertia of all nodes for that rate, or a lower one: a node's mass, or more where its stiffness asks for it */
+void mus__drape_inertia(mus_drape *drape, double rate2);
 /* takes the inertia tensors of the nodes at the state of the sim, for the step of the last mus__drape_inertia()
  * (inertia.c) */
 void mus__drape_tensors(mus_drape *drape);

@@ -123,7 +123,7 @@ static mus_status check_step(mus_drape *drape, int32_t steps, double dt)
     if (dt > drape->stepping.bound && drape->stepping.bound > 0.0)
         drape->stepping.bound = mus__drape_bound(drape, NULL);
     if (drape->stepping.bound <= 0.0) {
-        mus__drape_inertia(drape, 0, 0.0);
+        mus__drape_inertia(drape, mus__drape_rate(drape, 0));
         look(drape);
         drape->stepping.energy = energy_now(drape, &drape->stepping.active);
         drape->sim.ops->snapshot(&drape->sim);

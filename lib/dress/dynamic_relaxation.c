@@ -8,6 +8,7 @@
  *
  * A batch is: h = mus__relax_step(), mus__relax_ready(), mus__relax_run(), then mus__drape_tick() by the caller.
  */
+#include <math.h>
 #include <string.h>
 
 #include "drape/drape_self.h"
@@ -49,8 +50,12 @@ void mus__relax_clear(mus_drape *drape)
 
 double mus__relax_step(mus_drape *drape, double safety, double least)
 {
-    const double share = safety * (2.0 / 2.62); /* the bound of symplectic Euler is 2/omega, that of RK4 2.62/omega */
-    return share * mus__drape_inertia(drape, 1, least / share);
+    const double own = mus__drape_rate(drape, 1), wanted = least > 0.0 ? 2.0 * safety / least : INFINITY;
+    const double rate2 = fmin(own, wanted * wanted);
+    mus__drape_inertia(drape, rate2);
+    drape->relax.raised = rate2 > 0.0 ? own / rate2 : 1.0;
+    /* the bound of symplectic Euler is 2/omega, that of RK4 2.62/omega */
+    return safety * (2.0 / 2.62) * (rate2 > 0.0 ? 2.62 / sqrt(rate2) : 1e9);
 }
 
 

@@ -157,7 +157,8 @@ START_TEST(sewing_moves_no_centre)
     mus_cloth *cloth = scene_cut(context, pattern, 0.01, 0.0);
     mus_drape *drape = scene_drape(context, cloth, 64, 1);
     mus__sim *sim = &drape->sim;
-    const double h = 0.5 * mus__drape_inertia(drape, 1, 0.0);
+    const double rate2 = mus__drape_rate(drape, 1), h = 0.5 * 2.62 / sqrt(rate2);
+    mus__drape_inertia(drape, rate2);
     double before[3], after[3];
     memset(sim->gravity, 0, sizeof sim->gravity);
     sim->drag = 8.0;

@@ -97,8 +97,8 @@ void mus__drape_name_skipped(mus_drape *drape);
 /* empty the plane cache, taking its memory at the first call, and let the sim use it. Errors: MUS_ERR_MEMORY */
 mus_status mus__drape_plane_cache(mus_drape *drape);
 /* the largest rate of motion, squared [1/s2], that inertia is to be set for. scaled 0: with true masses, in every pose.
- * scaled nonzero: at the pose x, of the lattice alone: where the stiffness asks for more, inertia is raised (mass scaling;
- * a rest shape does not depend on inertia) */
+ * scaled nonzero: at the pose x, of the lattice alone: where the stiffness asks for more, inertia is raised (mass
+ * scaling; a rest shape does not depend on inertia) */
 double mus__drape_rate(mus_drape *drape, int32_t scaled);
 /* set the inertia of all nodes for that rate, or a lower one: a node's mass, or more where its stiffness asks for it */
 void mus__drape_inertia(mus_drape *drape, double rate2);

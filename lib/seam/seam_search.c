@@ -179,7 +179,9 @@ bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change
     if (!change->mirrored) return !change->on || sew_on(facts, a, b, mate);
     if (c == MUS_NONE || d == MUS_NONE || c == b || c == a || d == b) return false;
     if (!sew_pair(facts->fixed, c, d, change->join, mate)) return false;
-    return !change->on || (sew_on(facts, a, b, mate) | sew_on(facts, c, d, mate));
+    if (!change->on) return true;
+    const bool one = sew_on(facts, a, b, mate), other = sew_on(facts, c, d, mate);
+    return one || other;
 }
 
 

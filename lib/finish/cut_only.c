@@ -38,7 +38,7 @@ static double cut_length(const mus__cut_only *job, const char *label)
 }
 
 
-/* a band of rib, folded along its middle, its ends sewn to a ring */
+/* a band of rib, folded along its middle, its ends sewn to a ring; 2 cm high when folded (chosen) */
 static void cut_rib(mus__cut_only *job, const char *name, double length, int32_t count)
 {
     const double high = 2.0 * job->scale * MUS__CM;
@@ -48,6 +48,7 @@ static void cut_rib(mus__cut_only *job, const char *name, double length, int32_t
 }
 
 
+/* what finishes the neck: a band of rib on a knit, facings on a woven or under a collar that lies flat */
 static void cut_neck(mus__cut_only *job, const mus__style *style)
 {
     const int32_t collar = style->option[MUS__AXIS_COLLAR], neck = style->option[MUS__AXIS_NECK];
@@ -60,6 +61,7 @@ static void cut_neck(mus__cut_only *job, const mus__style *style)
 }
 
 
+/* what finishes an armhole without a sleeve: a band of rib on a knit, facings on a woven */
 static void cut_armhole(mus__cut_only *job, const mus__style *style)
 {
     if (style->option[MUS__AXIS_SLEEVE] != MUS__SLEEVE_NONE || style->option[MUS__AXIS_GARMENT] == MUS__GARMENT_CAPE)
@@ -80,8 +82,9 @@ static double cut_band(const mus__cut_only *job)
 }
 
 
-/* a fly as long as the hand is wide and the hips pass, a shield under it, and five loops with a turned end of 1.5 cm
- * each, cut as one strip */
+/* A fly facing of 4 by 18 cm, long enough for the hips to pass; a shield of 4.5 cm, folded, that lies under it; and a
+ * strip for five belt loops of 1 cm. Each loop is as long as the band is high, with 1.5 cm turned in at both ends. All
+ * sizes are chosen, for the scale of an adult. */
 static void cut_fly(mus__cut_only *job, const mus__style *style)
 {
     const double cm = job->scale * MUS__CM, band = cut_band(job);
@@ -137,7 +140,8 @@ static void cut_stand(mus__cut_only *job)
 }
 
 
-/* the tape of the elastics of each label: a ring with 2 cm to lap, or two halves where a closure parts it */
+/* The tape of all elastic edges: a ring with 2 cm to lap, or two halves where a closure parts it. It is 1 cm wide
+ * (chosen), or as wide as its casing leaves room for. */
 static void cut_elastic(mus__cut_only *job)
 {
     double length = 0.0, width = 0.01;

@@ -14,7 +14,7 @@
 #include "base/sort.h"
 
 #define FACTS_CHORDS 8 /* chords of a curve; chosen: directions at its ends are right within 0.1 rad */
-#define OFF_CENTRE 0.05 /* half widths of a panel, an edge that is not on its middle */
+#define OFF_CENTRE 0.05 /* half widths of a panel, an edge farther from its middle lies on one side; chosen */
 #define INWARDS 0.4     /* cosine to the direction of the centre; chosen: side seams lean by 66 degrees at most */
 #define MIRROR_LENGTH 3e-3 /* relative difference of images; chosen: above the rounding of files, below an ease */
 #define MIRROR_ANGLE 0.05  /* [rad] the same of corners */

@@ -90,7 +90,7 @@ def page():
     if not (modules / "esbuild").exists():
         (WORK / "package.json").write_text(json.dumps({"private": True, "dependencies": PACKAGES}))
         fetch.install(program("npm"), "install", "--no-audit", "--no-fund", cwd=WORK, made=modules)
-    for name in ("page.js", "worker.js"):
+    for name in ("page.js", "worker.js", "scene.js"):
         subprocess.run([modules / ".bin/esbuild", HERE / "page" / name, "--bundle", "--minify", "--format=esm",
                         "--log-level=warning", f"--outfile={OUT / name}"], check=True,
                        env={**os.environ, "NODE_PATH": str(modules)})

@@ -14,6 +14,7 @@
 
 #define PATH_POINTS 20000 /* most points of a path; as of an outline of a DXF */
 #define PATH_JOINED 1e-6  /* [unit of the file] a piece shorter than this is left out */
+#define PLACE_MOST 1e3    /* [m] of a point from the origin; chosen: written in mm it is below the 1e7 that is read */
 #define CIRCLE_OFF 1e-6   /* relative difference of the radii of an arc that is circular */
 
 typedef struct path_reader {
@@ -88,8 +89,14 @@ static mus_status add_point(path_reader *r, const double *p)
         return mus__source_fail(r->source, r->line, MUS_ERR_LIMIT, "path: more than %d points", PATH_POINTS);
     mus_status status =
         mus__source_reserve(r->source, &out->xy, &out->xy_room, (int64_t)out->nxy + 1, 2 * sizeof *out->xy);
-    if (status == MUS_OK) mus__svg_apply(r->m, p, out->xy + 2 * (size_t)out->nxy++);
-    return status;
+    if (status != MUS_OK) return status;
+    double *at = out->xy + 2 * (size_t)out->nxy++;
+    mus__svg_apply(r->m, p, at);
+    if (!(fabs(at[0]) <= PLACE_MOST && fabs(at[1]) <= PLACE_MOST))
+        return mus__source_fail(r->source, r->line, MUS_ERR_LIMIT,
+                                "path: a point at %.6g, %.6g m; expected at most %g m from the origin", at[0], at[1],
+                                PLACE_MOST);
+    return MUS_OK;
 }
 
 

@@ -22,7 +22,7 @@ const browser = await chromium.launch({
         "--disable-background-networking",
         "--disable-component-update",
         "--disable-sync",
-        "--use-angle=swiftshader",
+        // WebGL without a graphics card; what else the processor draws, and how, the browser chooses itself
         "--enable-unsafe-swiftshader",
     ],
 });
@@ -222,7 +222,18 @@ const before = await picture();
 await page.focus("#view");
 for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
 await page.waitForTimeout(500);
-claim(!before.equals(await picture()), "arrow keys turn the view");
+const turned = await picture();
+claim(!before.equals(turned), "arrow keys turn the view");
+const box = await page.locator("#view").boundingBox();
+await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+await page.mouse.down();
+await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2, { steps: 4 });
+await page.mouse.up();
+await page.waitForTimeout(500);
+const dragged = await picture();
+await page.mouse.wheel(0, 300);
+await page.waitForTimeout(500);
+claim(!dragged.equals(turned) && !dragged.equals(await picture()), "a pointer turns the view, a wheel moves it away");
 await page.waitForFunction(() => navigator.serviceWorker.controller);
 const address = page.url();
 await context.setOffline(true);

@@ -128,6 +128,8 @@ START_TEST(a_fault_is_told_with_its_line)
         {"<svg>\n\n<path d='M0,0 h9 q z'/></svg>", "drawn.svg:3: path: Q: expected numbers", MUS_ERR_FORMAT},
         {"<svg><path d='M0,0 A 3,4 0 0 0 5,5 z'/></svg>", "an arc of an ellipse", MUS_ERR_UNSUPPORTED},
         {"<svg width='10furlong' viewBox='0 0 1 1'/>", "expected a width in mm", MUS_ERR_FORMAT},
+        {"<svg width='1e5cm' viewBox='0 0 1 1'>\n<path d='M0,0 h1 v2 z'/></svg>",
+         "drawn.svg:2: path: a point at 1000, -2000 m; expected at most 1000 m from the origin", MUS_ERR_LIMIT},
         {"<svg>\n<g transform='skewX(3)'/></svg>", "drawn.svg:2: transform: expected matrix", MUS_ERR_FORMAT},
         {"<svg>\n<g class='panel' id='a'></g></svg>", "drawn.svg:2: panel a: no outline", MUS_ERR_FORMAT},
         {"<svg>\n<g class='panel' id='a'>\n<path class='edge' d='M0 0h9'/><path class='edge' d='M50 0h9'/></g></svg>",

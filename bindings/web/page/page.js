@@ -1,6 +1,7 @@
 // page.js: the controls, the workers (coarse while a hand moves, fine when it rests, a clerk that searches designs and
 // draws their pictures), and the address as the state.
-import { Dressed, RANGES } from "./scene.js";
+import { RANGES } from "./ranges.js";
+import { View } from "./view.js";
 import { languages, word } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
@@ -34,7 +35,7 @@ let state = start,
     last = null,
     id = 0,
     pause = 0;
-const view = new Dressed($("view")),
+const view = new View($("view")),
     waiting = new Map();
 // what a test reads: milliseconds of each picture and of each rest
 const log = (window.fitting = { ready: false, pictures: [], rests: [], fine: [], failed: [], sketches: 0, hash: "" });
@@ -89,6 +90,7 @@ function change(part = {}) {
         finishing = 0;
     }
     clearTimeout(pause);
+    view.move(true);
     wish(coarse, false);
 }
 
@@ -96,6 +98,7 @@ function change(part = {}) {
 function settled() {
     resting = 0;
     pause = setTimeout(() => {
+        view.move(false);
         fine ??= worker();
         wish(fine, true);
         history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify({ ...state, file: undefined }))}`);
@@ -118,17 +121,15 @@ function answer(data) {
     if (data.id < shown) return;
     shown = data.id;
     const since = performance.now() - asked.get(data.id);
-    if (data.body) view.show(view.body, data.body);
-    view.show(view.cloth, data.cloth);
-    view.paint(state.colour, state.map, data.map);
-    view.draw();
+    const nodes = data.cloth.positions.length / 3;
+    view.show(data.body, data.cloth, { colour: state.colour, map: state.map, values: data.map });
     (data.fine ? log.fine : data.rest ? log.rests : log.pictures).push(since);
     if (!data.rest) return;
     last = data;
     log.hash = data.hash;
     say(
         data.status === 0
-            ? `${tell("atRest")}: ${Math.round(since)} ms, ${data.cloth.positions.length / 3} nodes`
+            ? `${tell("atRest")}: ${Math.round(since)} ms, ${nodes} nodes`
             : data.reason,
     );
     made = data.made;
@@ -300,8 +301,7 @@ $("map").addEventListener("change", () => {
 });
 $("colour").addEventListener("input", () => {
     state.colour = $("colour").value;
-    view.paint(state.colour, state.map, last?.map);
-    view.draw();
+    view.show(null, null, { colour: state.colour, map: state.map, values: last?.map });
 });
 $("colour").addEventListener("change", () => change());
 $("language").addEventListener("change", () => {

@@ -1,4 +1,5 @@
-// scene.js: body and garment in three.js: turned by hand or arrow keys, coloured plain or by a fit map.
+// scene.js: the worker that draws body and garment, in three.js: turned by hand or arrow keys, coloured plain or by a fit
+// map. view.js, on the page's side, sends it the canvas, its size, the events of the hand, and what is to be shown.
 import {
     AmbientLight,
     BufferAttribute,
@@ -7,6 +8,7 @@ import {
     DirectionalLight,
     DoubleSide,
     DynamicDrawUsage,
+    EventDispatcher,
     Mesh,
     MeshLambertMaterial,
     MeshStandardMaterial,
@@ -17,25 +19,24 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFExporter } from "three/examples/jsm/exporters/GLTFExporter.js";
+import { RANGES } from "./ranges.js";
 
 const LOW = new Color("#2b5fc4"),
     MIDDLE = new Color("#f4f4f0"),
     HIGH = new Color("#c4362b");
-export const RANGES = {
-    1: [-0.05, 0.05, "%", 100],
-    2: [-0.05, 0.05, "%", 100],
-    3: [0, 500, " Pa", 1],
-    4: [0, 0.1, " cm", 100],
-};
 
 // whether pictures are drawn by the processor, which also computes the garment
 function drawnBySoftware() {
-    const gl = document.createElement("canvas").getContext("webgl2"),
+    const gl = new OffscreenCanvas(1, 1).getContext("webgl2"),
         names = gl?.getExtension("WEBGL_debug_renderer_info"),
         name = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
     gl?.getExtension("WEBGL_lose_context")?.loseContext();
     return /swiftshader|llvmpipe|software/i.test(name);
 }
+
+// Samples of a pixel's width while a hand moves and the processor draws: a picture that follows is worth more than its
+// edges, and at half the width a quarter of the pixels is left
+const MOVING = 0.5;
 
 const equal = (a, b) => {
     let i = 0;
@@ -59,14 +60,29 @@ function put(geometry, name, data, width) {
     else geometry.setAttribute(name, made);
 }
 
-export class Dressed {
+// What OrbitControls asks of an element: its size, and the events that view.js sends
+class Hand extends EventDispatcher {
+    style = {};
+    clientWidth = 1;
+    clientHeight = 1;
+    getRootNode = () => this;
+    getBoundingClientRect = () => ({ left: 0, top: 0, width: this.clientWidth, height: this.clientHeight });
+    setPointerCapture() {}
+    releasePointerCapture() {}
+    give(event) {
+        this.dispatchEvent({ ...event, preventDefault() {}, stopPropagation() {} });
+    }
+}
+
+class Dressed {
     constructor(canvas) {
         // edges are smoothed where that is cheap and seen: four samples a pixel double the time of the processor
-        const antialias = devicePixelRatio < 2 && !drawnBySoftware();
-        this.renderer = new WebGLRenderer({ canvas, antialias, alpha: true });
-        this.canvas = canvas;
-        this.frame = 0; // mean time that the last frames took to be drawn [ms]
-        this.timed = -Infinity; // when one was measured last [ms]
+        this.software = drawnBySoftware();
+        this.moving = false; // a hand moves a measure: the next picture comes soon
+        this.density = 1;
+        this.hand = new Hand();
+        this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, alpha: true });
+        this.timed = -Infinity; // when a frame was measured last [ms]
         this.camera = new PerspectiveCamera(30, 1, 0.05, 30);
         this.camera.position.set(1.5, 1.2, 3.6);
         this.scene = new Scene();
@@ -87,37 +103,47 @@ export class Dressed {
             mesh.frustumCulled = false;
             this.scene.add(mesh);
         }
-        this.controls = new OrbitControls(this.camera, canvas);
+        this.controls = new OrbitControls(this.camera, this.hand);
         this.controls.target = new Vector3(0, 0.95, 0);
-        this.controls.listenToKeyEvents(canvas);
+        this.controls.listenToKeyEvents(this.hand);
         this.controls.keyRotateSpeed = 3;
-        // arrow keys turn; with shift, as OrbitControls has it, they move
-        canvas.addEventListener(
-            "keydown",
-            (event) => {
-                const turn = { ArrowLeft: 1, ArrowRight: -1 }[event.key];
-                if (!turn || event.shiftKey) return;
-                event.stopImmediatePropagation();
-                this.camera.position
-                    .sub(this.controls.target)
-                    .applyAxisAngle(new Vector3(0, 1, 0), 0.1 * turn)
-                    .add(this.controls.target);
-                this.controls.update();
-            },
-            true,
-        );
         this.controls.addEventListener("change", () => this.draw());
         this.controls.update();
-        new ResizeObserver(() => this.resize()).observe(canvas);
     }
 
-    resize() {
-        const { clientWidth: width, clientHeight: height } = this.canvas;
-        this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-        this.renderer.setSize(width, height, false);
+    // arrow keys turn; with shift, as OrbitControls has it, they move
+    key(event) {
+        const turn = { ArrowLeft: 1, ArrowRight: -1 }[event.code];
+        if (!turn || event.shiftKey) return this.hand.give(event);
+        this.camera.position
+            .sub(this.controls.target)
+            .applyAxisAngle(new Vector3(0, 1, 0), 0.1 * turn)
+            .add(this.controls.target);
+        this.controls.update();
+    }
+
+    // width and height of the canvas, and pixels of the screen in each of theirs
+    resize(width, height, density) {
+        this.hand.clientWidth = width;
+        this.hand.clientHeight = height;
+        this.density = Math.min(density, 2);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        this.sample();
+    }
+
+    sample() {
+        const { clientWidth: width, clientHeight: height } = this.hand;
+        this.renderer.setPixelRatio(this.density * (this.moving && this.software ? MOVING : 1));
+        this.renderer.setSize(width, height, false);
         this.draw();
+    }
+
+    // whether a hand moves a measure; the sharp picture is drawn when it rests
+    move(moving) {
+        if (this.moving === moving) return;
+        this.moving = moving;
+        if (this.software) this.sample();
     }
 
     draw() {
@@ -142,7 +168,7 @@ export class Dressed {
             if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return setTimeout(look, 4);
             gl.deleteSync(fence);
             const taken = performance.now() - start;
-            this.frame = this.frame ? (3 * this.frame + taken) / 4 : taken;
+            postMessage({ frame: taken });
             this.timing = false;
         };
         setTimeout(look, 4);
@@ -194,3 +220,23 @@ export class Dressed {
         return new Uint8Array(await new GLTFExporter().parseAsync(meshes, { binary: true }));
     }
 }
+
+let view;
+const calls = {
+    open: ({ canvas }) => (view = new Dressed(canvas)),
+    resize: ({ width, height, density }) => view.resize(width, height, density),
+    event: ({ event }) => (event.type === "keydown" ? view.key(event) : view.hand.give(event)),
+    move: ({ moving }) => view.move(moving),
+    // body and cloth: meshes, or null for the one that is there
+    show({ body, cloth, paint }) {
+        if (body) view.show(view.body, body);
+        if (cloth) view.show(view.cloth, cloth);
+        if (paint) view.paint(paint.colour, paint.map, paint.values);
+        view.draw();
+    },
+    async glb({ id }) {
+        const bytes = await view.glb();
+        postMessage({ id, bytes }, [bytes.buffer]);
+    },
+};
+onmessage = ({ data }) => calls[data.call](data);

@@ -3,8 +3,11 @@ import { Room } from "./room.js";
 import { sketch } from "./sketch.js";
 
 const STOPPED = 19; // MUS_ERR_STOPPED
-const SLICE = 20; // first run of settling [ms]; each later one has twice the time of the one before
-const SKIPS = 2; // such wishes at most: a dragged slider is followed at once, and the cloth still comes after
+const HAND = 30; // a moving hand gives the next value within so many milliseconds of a picture
+const SLICE = 5; // run of settling [ms] while the next value of a hand may come; later ones have twice the time of the one
+// before
+const SKIPS = 2; // wishes in a row at most that are shown and not settled: a dragged slider is followed at once, and the
+// cloth still comes after
 const FINE_SLICE = 640; // the same of the fine worker, whose runs begin anew
 // the body that is shown, by samples of a ring and distance of rings [m]: while a hand moves, without fingers and toes,
 // and when it rests. The cloth lies on the same body in both
@@ -40,8 +43,9 @@ function tapeOf(person) {
 // Settle in runs, between which the newest wish is looked for. A coarse drape is shown after a run when `pause` ms have
 // passed since it was shown last. STOPPED when there is a newer wish, else the status.
 async function settle(told, pause) {
-    let seen = performance.now();
-    for (let budget = told.fine ? FINE_SLICE : SLICE; ; budget *= 2) {
+    const start = performance.now();
+    let seen = start;
+    for (let budget = told.fine ? FINE_SLICE : SLICE; ; budget *= told.fine || performance.now() - start > HAND ? 2 : 1) {
         const end = performance.now() + budget;
         room.onProgress = () => (performance.now() > end ? 1 : 0);
         const status = room.settle();
@@ -72,8 +76,10 @@ async function dress(asked) {
     if (status === 0) {
         if (!asked.fine) {
             meshes({ ...told, rest: false }, newBody);
-            await turn();
-            if (wish !== null && skipped++ < SKIPS) return;
+            if (skipped < SKIPS && (await wished(HAND))) {
+                skipped++;
+                return;
+            }
         }
         skipped = 0;
         status = await settle(told, asked.pause);
@@ -112,6 +118,19 @@ const turn = () =>
         channel.port1.onmessage = done;
         channel.port2.postMessage(0);
     });
+
+// whether a newer wish comes within `milliseconds`
+let wake = null;
+function wished(milliseconds) {
+    return new Promise((done) => {
+        const timer = setTimeout(() => wake(false), milliseconds);
+        wake = (come) => {
+            clearTimeout(timer);
+            wake = null;
+            done(come);
+        };
+    });
+}
 
 async function work() {
     if (busy) return;
@@ -155,6 +174,7 @@ const calls = {
     },
     dress(asked) {
         wish = asked;
+        wake?.(true);
         work();
     },
     file({ form, paper, title, id }) {

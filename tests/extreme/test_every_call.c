@@ -85,8 +85,8 @@ static void two_darts(world *w)
     GOOD(mus_pattern_rotate_dart(P, w->leg, w->right, 0.2, w->left, 0.5, &w->second_leg));
     const int32_t seam = mus_pattern_edge_seam(P, w->second_leg);
     double angle;
-    for (w->leg = 0; mus_pattern_edge_seam(P, w->leg) == seam ||
-                     mus_pattern_dart(P, w->leg, &angle, NULL, NULL) != MUS_OK;)
+    for (w->leg = 0;
+         mus_pattern_edge_seam(P, w->leg) == seam || mus_pattern_dart(P, w->leg, &angle, NULL, NULL) != MUS_OK;)
         w->leg++;
     w->left = mus_pattern_find_edge(P, 0, "left");
 }
@@ -165,7 +165,8 @@ static void full_of_panels(world *w)
 static void full_of_seams(world *w)
 {
     support_fail_after(0, true);
-    while (mus_pattern_add_seam(P, &w->seam_def, NULL) == MUS_OK) {}
+    while (mus_pattern_add_seam(P, &w->seam_def, NULL) == MUS_OK) {
+    }
     support_fail_never();
 }
 
@@ -173,7 +174,8 @@ static void full_of_seams(world *w)
 static void full_of_notches(world *w)
 {
     support_fail_after(0, true);
-    while (mus_pattern_add_notch(P, BOTTOM, 0.1, MUS_NOTCH_DOUBLE, NULL) == MUS_OK) {}
+    while (mus_pattern_add_notch(P, BOTTOM, 0.1, MUS_NOTCH_DOUBLE, NULL) == MUS_OK) {
+    }
     support_fail_never();
 }
 
@@ -299,10 +301,9 @@ static uint64_t mix_objects(uint64_t hash, const objects *o)
     if (o->manifold != NULL)
         hash = mix(hash, mus_manifold_vertices(o->manifold), 24 * (size_t)mus_manifold_vertex_count(o->manifold));
     if (o->mesh != NULL) hash = mix(hash, mus_mesh_vertices(o->mesh), 24 * (size_t)mus_mesh_vertex_count(o->mesh));
-    const int32_t counts[] = {o->sheet ? mus_sheet_line_count(o->sheet) : -1,
-                              o->catalogue ? mus_catalogue_count(o->catalogue) : -1,
-                              o->faults ? mus_faults_count(o->faults) : -1,
-                              o->cut_line ? mus_cut_line_loop_count(o->cut_line) : -1};
+    const int32_t counts[] = {
+        o->sheet ? mus_sheet_line_count(o->sheet) : -1, o->catalogue ? mus_catalogue_count(o->catalogue) : -1,
+        o->faults ? mus_faults_count(o->faults) : -1, o->cut_line ? mus_cut_line_loop_count(o->cut_line) : -1};
     const double period = o->move ? mus_move_period(o->move) : -1.0;
     hash = mix(hash, &period, sizeof period);
     return mix(mix(hash, counts, sizeof counts), &state, sizeof state);

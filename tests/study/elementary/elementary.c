@@ -49,7 +49,8 @@ static double error_of(double got)
     if (!isfinite(got)) return INFINITY;
     frexp(wanted, &exponent);
     mpfr_sub_d(exact, exact, got, MPFR_RNDN);
-    return fabs(ldexp(mpfr_get_d(exact, MPFR_RNDN), 53 - exponent));
+    mpfr_mul_2si(exact, exact, 53 - exponent, MPFR_RNDN); /* first: half an ulp of 2^-1022 is no double */
+    return fabs(mpfr_get_d(exact, MPFR_RNDN));
 }
 
 

@@ -82,6 +82,16 @@ static void ask_files(const batch *b, const batch_line *g, dress *d, char paths[
 }
 
 
+/* Removes the files beside the output files that a killed process was writing; the folder is this batch's alone. */
+static void remove_left(const batch *b, const batch_line *g)
+{
+    static const char *const endings[] = {".glb.part0", ".obj.part0", ".mtl.part0"};
+    char path[4096];
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (batch_path(b, g->name, endings[i], path)) remove(path);
+}
+
+
 /* Writes the members of a garment's result; `said` is the first complaint, which was kept from standard error. */
 static void write_result(const dress *d, bool opened, const char *status, const char *said, json *j)
 {
@@ -128,6 +138,7 @@ static int dress_line(const batch *b, const batch_line *g)
     complaints_keep(&said);
     int code = batch_options(b, g, d, &name);
     ask_files(b, g, d, paths);
+    remove_left(b, g);
     if (b->limit > 0.0) d->progress = look_at_watch, d->progress_user = &clock;
     if (code == EXIT_DONE) code = dress_open(d);
     const bool opened = code == EXIT_DONE;

@@ -314,7 +314,8 @@ typedef int32_t (*mus_progress_fn)(void *user, const mus_progress *progress);
  * drawn apart as by mus_drape_untangle(). Worn layers do keep it open: a seam that would go through them stays open,
  * and the error tells so. Crossings that are left are counted by mus_drape_crossings().
  * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_STOPPED (by
- *         `progress`; the state is as far as it got); MUS_ERR_DIVERGED, MUS_ERR_MEMORY
+ *         `progress`; the state is as far as it got); MUS_ERR_DIVERGED; MUS_ERR_MEMORY (the state is as far as it
+ *         got: place it and sew again)
  * Memory: with a progress function 6 doubles a node during the call
  */
 MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, void *user);
@@ -328,7 +329,7 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * settle_residual. (The contact forces on a node wedged between surfaces cannot be recovered from its place.) Where
  * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
  * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED (by `progress`), MUS_ERR_DIVERGED,
- *         MUS_ERR_MEMORY
+ *         MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY)
  * Memory: the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first
  *         settle 19 doubles and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles
  *         a node during the call

@@ -402,18 +402,20 @@ static void around_hang(mus__arrangement *arrangement, int32_t t)
 }
 
 
-/* length [m] of the shortest opening of the sewn pattern; 0 without any */
-static double around_opening(const mus__arrangement *arrangement)
+/* *least: length [m] of the shortest opening of the sewn pattern; 0 without any. Errors: MUS_ERR_MEMORY */
+static mus_status around_opening(const mus__arrangement *arrangement, double *least)
 {
-    double least = 0.0, length = 0.0;
     int32_t edges = 0;
     mus_topology topology;
+    *least = 0.0;
     mus_topology_init(&topology, sizeof topology);
-    if (mus_pattern_topology(arrangement->pattern, &topology) != MUS_OK) return 0.0;
-    for (int32_t i = 0; i < topology.loops; i++)
-        if (mus_pattern_loop(arrangement->pattern, i, NULL, 0, &edges, &length) == MUS_OK && (i == 0 || length < least))
-            least = length;
-    return least;
+    mus_status status = mus_pattern_topology(arrangement->pattern, &topology);
+    for (int32_t i = 0; i < topology.loops && status == MUS_OK; i++) {
+        double length = 0.0;
+        status = mus_pattern_loop(arrangement->pattern, i, NULL, 0, &edges, &length);
+        if (status == MUS_OK && (i == 0 || length < *least)) *least = length;
+    }
+    return status == MUS_ERR_MEMORY ? status : MUS_OK;
 }
 
 
@@ -475,10 +477,12 @@ static int32_t around_next(const mus__arrangement *arrangement)
 
 mus_status mus__arrange_limbs(mus__arrangement *arrangement)
 {
-    const mus_status status = around_body(arrangement);
+    double opening = 0.0;
+    mus_status status = around_body(arrangement);
+    if (status == MUS_OK) status = around_opening(arrangement, &opening);
     if (status != MUS_OK) return status;
     const double waist = mus_body_made(arrangement->body, MUS_MEASURE_WAIST);
-    const bool apart = around_opening(arrangement) < AROUND_WAIST_PART * waist;
+    const bool apart = opening < AROUND_WAIST_PART * waist;
     for (int32_t t = 0; t < arrangement->nring; t++)
         arrangement->ring[t].hangs =
             arrangement->ring[t].limb == MUS__ARRANGE_TRUNK && around_hangs(arrangement, t, apart);

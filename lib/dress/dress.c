@@ -85,10 +85,20 @@ static bool dress_failed_at_start(const mus__dress_start *start)
 }
 
 
-/* does a start end the search? */
+/* does a start end the search? So it does for want of memory, also where that was before the start had a number */
 static bool dress_ends(const mus__dress_start *start)
 {
+    if (start->status == MUS_ERR_MEMORY) return true;
     return start->index != MUS_NONE && (start->status == MUS_OK || start->status == MUS_ERR_STOPPED);
+}
+
+
+/* keep a failure before a start had a number, if it ends the search */
+static void dress_keep_failure(const mus__dress *call, mus_status status, mus__dress_start *start)
+{
+    if (status != MUS_ERR_MEMORY) return;
+    start->status = status;
+    snprintf(start->text, sizeof start->text, "%s", mus_context_error(call->context));
 }
 
 
@@ -113,6 +123,8 @@ static void dress_find(mus__dress *call, const mus_pattern *pattern, mus_body *r
     call->report.place_seconds += mus__progress_time() - time;
     if (status == MUS_OK)
         dress_try(call, *found, raised != NULL ? MUS_DRESS_PLACE_RAISED : MUS_DRESS_PLACE_FOUND, false, start);
+    else
+        dress_keep_failure(call, status, start);
 }
 
 
@@ -176,8 +188,9 @@ static mus_status dress_wants_room(const mus__dress *call, const mus_body *raise
 }
 
 
-/* the body with its arms horizontal, where a start failed in a way that this may mend; else, or after an error, NULL */
-static mus_body *dress_room(mus__dress *call, const mus__dress_start *start)
+/* the body with its arms horizontal, where a start failed in a way that this may mend; else, or after an error, NULL.
+ * `next` is the start that would take it */
+static mus_body *dress_room(mus__dress *call, const mus__dress_start *start, mus__dress_start *next)
 {
     const double time = mus__progress_time();
     mus_body *raised = NULL;
@@ -187,6 +200,7 @@ static mus_body *dress_room(mus__dress *call, const mus__dress_start *start)
     if (status == MUS_OK) status = dress_wants_room(call, raised, start, &wants);
     call->report.place_seconds += mus__progress_time() - time;
     if (status == MUS_OK && wants) return raised;
+    dress_keep_failure(call, status, next);
     mus_body_destroy(raised);
     return NULL;
 }
@@ -256,9 +270,8 @@ static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool othe
     dress_try(call, pattern, call->report.found ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN, !other, &start[0]);
     if (other && dress_failed_at_start(&start[0])) {
         for (int32_t i = call->report.found ? 2 : 1; i < STARTS && !dress_ends(&start[best]); i++) {
-            mus_body *raised = i == 2 ? dress_room(call, start) : NULL;
-            if (i == 2 && raised == NULL) break;
-            dress_find(call, pattern, raised, &start[i], &found[i]);
+            mus_body *raised = i == 2 ? dress_room(call, start, &start[i]) : NULL;
+            if (i < 2 || raised != NULL) dress_find(call, pattern, raised, &start[i], &found[i]);
             if (dress_ends(&start[i])) best = i;
         }
         if (!dress_ends(&start[best])) best = dress_insist(call, start);
@@ -271,7 +284,8 @@ static void dress_starts(mus__dress *call, const mus_pattern *pattern, bool othe
     }
     mus_body_destroy(kept->raised);
     call->report.kept = kept->index;
-    call->report.found = call->report.start_place[kept->index] != MUS_DRESS_PLACE_PATTERN;
+    if (kept->index != MUS_NONE)
+        call->report.found = call->report.start_place[kept->index] != MUS_DRESS_PLACE_PATTERN;
 }
 
 
@@ -357,6 +371,11 @@ mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus
         snprintf(kept.reason.text, sizeof kept.reason.text, "%.255s", mus_context_error(context));
     }
     mus_pattern_destroy(own);
+    if (status == MUS_ERR_MEMORY) {
+        mus_drape_destroy(kept.drape);
+        mus_cloth_destroy(kept.cloth);
+        kept.drape = NULL, kept.cloth = NULL;
+    }
     if (report != NULL) *report = call.report;
     if (reason != NULL) *reason = kept.reason;
     if (cloth != NULL)

@@ -127,7 +127,7 @@ static void start_reason(mus__dress_start *start)
     if (start->drape != NULL)
         mus_drape_reason(start->drape, why);
     else if (start->status == MUS_ERR_PATTERN)
-        mus_pattern_reason(start->pattern, why);
+        start->status = mus_pattern_reason(start->pattern, why) == MUS_ERR_MEMORY ? MUS_ERR_MEMORY : start->status;
     if (start->status == MUS_OK && why->kind == MUS_REASON_TANGLED) start->status = MUS_ERR_TANGLED;
     if (start->status == MUS_OK)
         why->kind = MUS_REASON_SETTLED;

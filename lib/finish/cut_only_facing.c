@@ -345,13 +345,13 @@ static void facing_panel(mus__cut_only *job, facing *f, const char *ending)
 }
 
 
-/* read the rim of a panel; false when it has no outline or is too rich */
-static bool facing_read(const mus__cut_only *job, int32_t panel, facing *f)
+/* read the rim of a panel; false when it is too rich, or the job has failed */
+static bool facing_read(mus__cut_only *job, int32_t panel, facing *f)
 {
     f->pattern = job->pattern;
     f->panel = panel;
-    return mus_pattern_rim(job->pattern, panel, f->edge, f->direction, FACING_EDGES, &f->n) == MUS_OK &&
-           f->n <= FACING_EDGES;
+    job->status = mus_pattern_rim(job->pattern, panel, f->edge, f->direction, FACING_EDGES, &f->n);
+    return job->status == MUS_OK && f->n <= FACING_EDGES;
 }
 
 

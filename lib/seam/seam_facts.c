@@ -533,6 +533,7 @@ mus_status mus__seam_read(const mus_pattern *pattern, mus__seam_facts *out)
     }
     mus_context_alloc(out->context, w.xy, 0);
     mus_context_alloc(out->context, work, 0);
+    if (status == MUS_ERR_MEMORY) mus_context_fail(out->context, status, "no memory for the seams of a pattern");
     return status;
 }
 

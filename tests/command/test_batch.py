@@ -110,6 +110,15 @@ def test_a_batch_that_is_killed_goes_on_where_it_was(batch, clean, program, tmp_
     assert b"; 5 from before" in batch(LIST, "--jobs", 2, out=out.name).stdout
 
 
+def test_what_a_killed_process_was_writing_is_removed(batch, tmp_path):
+    out = tmp_path / "out"
+    out.mkdir()
+    for name in ("a.obj.part0", "a.mtl.part0", "a.glb.part0"):
+        (out / name).write_text("half")
+    batch("--design skirt --size W40 --name a\n", "--obj", "--glb", out="out")
+    assert sorted(path.name for path in out.glob("a.*")) == ["a.glb", "a.mtl", "a.obj"]
+
+
 def test_a_part_that_is_cut_short_is_not_taken(batch, tmp_path):
     text = "--design no_such_design --size W40\n"
     batch(text)

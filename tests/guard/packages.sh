@@ -12,7 +12,8 @@ build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl
 test="check poppler-utils mandoc python3 python3-pytest python3-numpy python3-scipy python3-cffi luajit g++ locales"
 ci="clang cmake"
 ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
-       gcc-mips-linux-gnu libc6-dev-mips-cross libmpfr-dev libgmp-dev"
+       gcc-mips-linux-gnu libc6-dev-mips-cross gcc-aarch64-linux-gnu libc6-dev-arm64-cross musl-tools wasi-libc
+       libclang-rt-dev-wasm32 lld nodejs libmpfr-dev libgmp-dev"
 report="python3 python3-numpy python3-scipy python3-matplotlib"
 
 wanted=""

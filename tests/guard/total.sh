@@ -87,6 +87,8 @@ guard fastmath sh tests/guard/fastmath.sh
 guard flags sh tests/guard/flags.sh
 guard hardened sh tests/guard/hardened.sh "$out"
 guard setters "$python" tests/guard/setters.py
+guard calls "$python" tests/guard/calls.py
+guard attack "$python" tests/guard/attack.py
 guard man "$python" tests/guard/man.py "$out/lib"
 guard embed sh tests/embed/run.sh "$out"
 

@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """faults.py --command PROGRAM --out FOLDER [--kills N] [--seed N] [PART ...]: the command under kills and without room.
 
-batches    N batches of three garments are killed (SIGKILL to all their processes) at a random moment and run again to the
-           end: results and meshes have the bytes of a run that nobody killed, and nothing else is left over
+batches    N batches of three garments are killed (SIGKILL to all their processes) at a random moment and run again to
+           the end: results and meshes have the bytes of a run that nobody killed, and nothing else is left over
 catalogues N writers of 12 patterns are killed at a random moment: the file has 0 or 12 rows, its integrity is ok, and
            the same writer then adds all
 two        two writers of one catalogue at once, a tenth of N times: all rows of both are there
 disk       dress with every output onto a tmpfs of 64 MB that has less and less room: whole files or none, exit 1
-memory     dress under 50 limits of address space (RLIMIT_AS): exit 0, 1 or 2 with a sentence, never a signal
+memory     dress under 50 limits of address space (RLIMIT_AS), from the least with which the program starts to more than
+           the dress needs: exit 0, 1 or 2 with a sentence, never a signal
 All parts if none is named. Each prints one line; exit 1 when one fails. disk needs root, and says so without it.
 """
 import argparse
+import json
 import os
 import pathlib
 import random
@@ -61,9 +63,11 @@ def batches(options, folder, draw):
         shutil.rmtree(out, ignore_errors=True)
         hit += killed(command + [out], draw.uniform(0.0, long))
         subprocess.run(command + [out], check=True, stdout=subprocess.DEVNULL)
-        if tree(out) != want:
-            wrong.append(i)
-    print(f"batches: {options.kills} killed, {hit} of them in their work, {len(wrong)} with other bytes or files left")
+        have = tree(out)
+        if have != want:
+            wrong.append((i, sorted(name for name in have.keys() | want.keys() if have.get(name) != want.get(name))))
+    print(f"batches: {options.kills} killed, {hit} of them in their work, {len(wrong)} with other bytes or files left",
+          *wrong[:3])
     return not wrong
 
 
@@ -136,11 +140,15 @@ def disk(options, folder, draw):
         print("disk: skipped: a tmpfs of 64 MB cannot be mounted here")
         return True
     wrong, codes = [], {0: 0, 1: 0}
+    command = [options.command, "dress", "--design", "skirt", "--size", "W40", *SPACING]
+
+    def outputs(place):
+        return ["--obj", place / "a.obj", "--glb", place / "a.glb", "--report", place / "a.json"]
+
+    whole = folder / "whole"
+    whole.mkdir()
+    subprocess.run(command + outputs(whole), check=True, stdout=subprocess.DEVNULL)
     try:
-        names = {"--obj": "a.obj", "--glb": "a.glb", "--report": "a.json"}
-        command = [options.command, "dress", "--design", "skirt", "--size", "W40", *SPACING]
-        for option, name in names.items():
-            command += [option, small / name]
         for i in range(20):
             for file in small.iterdir():
                 file.unlink()
@@ -148,32 +156,51 @@ def disk(options, folder, draw):
             room = draw.randrange(0, 16000) * 1024
             with open(small / "filler", "wb") as filler:
                 filler.write(bytes(64 * 1024 * 1024 - room - 4096))
-            done = subprocess.run(command, capture_output=True, text=True)
+            done = subprocess.run(command + outputs(small), capture_output=True, text=True)
             codes[done.returncode] = codes.get(done.returncode, 0) + 1
-            left = {file.name for file in small.iterdir()} - {"filler", *names.values()}
-            obj = (small / "a.obj").read_text()
-            if left or (obj != "old" and not obj.rstrip().split("\n")[-1].startswith("f ")):
-                wrong.append((i, sorted(left)))
+            for file in small.iterdir():
+                want = whole / file.name
+                good = file.name in ("filler", "a.json") or (want.exists() and file.read_bytes() == want.read_bytes())
+                good |= file.name == "a.obj" and file.read_bytes() == b"old"
+                if file.name == "a.json":  # it tells times
+                    json.loads(file.read_text())
+                if not good:
+                    wrong.append((i, file.name))
             if done.returncode not in (0, 1) or (done.returncode and not done.stderr):
                 wrong.append((i, done.returncode, done.stderr))
     finally:
         subprocess.run(["umount", small], check=True)
-    print(f"disk: 20 runs with 0 to 16 MB of room: {codes[0]} written, {codes[1]} refused, {len(wrong)} wrong", *wrong[:3])
+    print(f"disk: 20 runs with 0 to 16 MB of room: {codes[0]} written, {codes[1]} refused, {len(wrong)} wrong",
+          *wrong[:3])
     return not wrong
+
+
+def limited(command, limit):
+    return subprocess.run(command, capture_output=True, text=True,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+
+def least(command, low, high):
+    """The least limit [MiB] with which a command succeeds."""
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if limited(command, middle << 20).returncode == 0 else (middle, high)
+    return high
 
 
 def memory(options, folder, _):
     command = [options.command, "dress", "--design", "tshirt", "--size", "W40", *SPACING, "--obj", folder / "a.obj"]
+    low = least([options.command, "--version"], 1, 1024)  # below it the loader fails, and nothing of ours runs
+    high = least(command, low, 1024)
     wrong, codes = [], {}
     for i in range(50):
-        limit = int(2**20 * (6 + 1.5 * i))  # from where the program just starts to where it has all it asks
-        done = subprocess.run(command, capture_output=True, text=True,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+        limit = int(2**20 * (low + 1.1 * (high - low) * i / 49))
+        done = limited(command, limit)
         codes[done.returncode] = codes.get(done.returncode, 0) + 1
-        loader = done.returncode == 127 or "shared libraries" in done.stderr  # not yet ours
-        if not loader and (done.returncode not in (0, 1, 2) or (done.returncode and not done.stderr)):
+        if done.returncode not in (0, 1, 2) or (done.returncode and not done.stderr):
             wrong.append((limit >> 20, done.returncode, done.stderr[:80]))
-    print("memory: 50 limits, exit codes", dict(sorted(codes.items())), f"{len(wrong)} wrong", *wrong[:3])
+    print(f"memory: 50 limits from {low} to {low + 1.1 * (high - low):.0f} MiB, exit codes",
+          dict(sorted(codes.items())), f"{len(wrong)} wrong", *wrong[:3])
     return not wrong
 
 

@@ -1,12 +1,12 @@
 #!/bin/sh
 # ports.sh OUT [NAME...]: libmuslin built for other machines, C libraries and compilers, all without shared libraries;
 # each must print the bits of this machine's: the figures of figures.c (tapes, bodies, all designs, steps) and the state
-# hashes of hashes.c (200 garments, sewn and settled, half of them with self-contact).
+# hashes of hashes.c (200 garments at rest, half of them with self-contact).
 #
 # NAME, all if none is given: gcc-O0, gcc-O3, clang-O0, clang-O2, clang-O3 (the -O3 with -march=native), musl, wasm32
 # (WASI, run by wasmtime or node), aarch64, s390x (big-endian, 64 bit), mips (big-endian, 32 bit) and i686 under
-# qemu-user, and x87, which must be refused. A port whose tools are missing is skipped in one line. DESIGNS: how many
-# designs are dressed (100). JOBS: processes at once. The last line counts the ports.
+# qemu-user, and x87, which must be refused. A port whose tools are missing is skipped in one line. GARMENTS: how many
+# designs of garments.h are dressed (100). JOBS: processes at once. The last line counts the ports.
 set -u
 out=$1
 shift
@@ -14,7 +14,7 @@ cd "$(dirname "$0")/../../.."
 mkdir -p "$out/ports"
 out=$(cd "$out/ports" && pwd)
 jobs=${JOBS:-$(nproc 2>/dev/null || echo 1)}
-designs=${DESIGNS:-100}
+garments=${GARMENTS:-100}
 passed=0
 failed=0
 skipped=0
@@ -37,7 +37,7 @@ build()
 run()
 {
     $2 "$out/$1.figures" >"$out/$1.txt" || return 1
-    seq 0 $((4 * jobs - 1)) | xargs -P "$jobs" -I{} sh -c "$2 $out/$1.hashes $designs {} $((4 * jobs)) >$out/$1.hashes.{}" || return 1
+    seq 0 $((4 * jobs - 1)) | xargs -P "$jobs" -I{} sh -c "$2 $out/$1.hashes $garments {} $((4 * jobs)) >$out/$1.hashes.{}" || return 1
     cat "$out/$1".hashes.* | sort >"$out/$1.hashes.txt"
     rm -f "$out/$1".hashes.[0-9]*
     cat "$out/$1.hashes.txt" >>"$out/$1.txt"

@@ -57,6 +57,39 @@ static bool word_of_side(const char *word, size_t n)
 }
 
 
+/* the part of a garment that a text names; of several words the first of the table decides: a cuff of a leg is a cuff.
+ * Letters between other characters are a word. */
+static int32_t role_named(const char *text)
+{
+    static const struct {
+        const char *word;
+        int32_t role;
+    } words[] = {{"cuff", MUS__SEAM_ROLE_CUFF},     {"hood", MUS__SEAM_ROLE_HOOD},
+                 {"collar", MUS__SEAM_ROLE_COLLAR}, {"neck", MUS__SEAM_ROLE_COLLAR},
+                 {"ins", MUS__SEAM_ROLE_INSERT},    {"insert", MUS__SEAM_ROLE_INSERT},
+                 {"godet", MUS__SEAM_ROLE_INSERT},  {"gusset", MUS__SEAM_ROLE_INSERT},
+                 {"wb", MUS__SEAM_ROLE_BAND},       {"band", MUS__SEAM_ROLE_BAND},
+                 {"waistband", MUS__SEAM_ROLE_BAND}, {"belt", MUS__SEAM_ROLE_BAND},
+                 {"sleeve", MUS__SEAM_ROLE_SLEEVE}, {"arm", MUS__SEAM_ROLE_SLEEVE},
+                 {"leg", MUS__SEAM_ROLE_LEG},       {"pant", MUS__SEAM_ROLE_LEG},
+                 {"pants", MUS__SEAM_ROLE_LEG},     {"trouser", MUS__SEAM_ROLE_LEG},
+                 {"skirt", MUS__SEAM_ROLE_SKIRT},   {"gore", MUS__SEAM_ROLE_SKIRT},
+                 {"tier", MUS__SEAM_ROLE_SKIRT},    {"torso", MUS__SEAM_ROLE_TORSO},
+                 {"ftorso", MUS__SEAM_ROLE_TORSO},  {"btorso", MUS__SEAM_ROLE_TORSO},
+                 {"bodice", MUS__SEAM_ROLE_TORSO},  {"body", MUS__SEAM_ROLE_TORSO},
+                 {"yoke", MUS__SEAM_ROLE_TORSO}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        for (const char *at = text; *at != '\0';) {
+            size_t n = 0, k = 0;
+            while (isalpha((unsigned char)at[n])) n++;
+            while (k < n && words[i].word[k] == tolower((unsigned char)at[k])) k++;
+            if (n > 0 && k == n && words[i].word[k] == '\0') return words[i].role;
+            at += n > 0 ? n : 1;
+        }
+    return MUS__SEAM_ROLE_NONE;
+}
+
+
 /* words of a name between other characters, without those of a side; its last number */
 static void read_name(const char *name, mus__seam_panel *panel)
 {
@@ -256,9 +289,10 @@ static mus_status read_panel(facts_work *w, int32_t p, int32_t *directions)
     }
     panel->sides = mus_pattern_panel_sides(w->pattern, p, NULL);
     read_places(facts, panel);
-    const char *label = mus_pattern_panel_label(w->pattern, p);
-    panel->label = text_hash(label, strlen(label));
-    read_name(mus_pattern_panel_name(w->pattern, p), panel);
+    const char *name = mus_pattern_panel_name(w->pattern, p);
+    panel->role = role_named(name);
+    if (panel->role == MUS__SEAM_ROLE_NONE) panel->role = role_named(mus_pattern_panel_label(w->pattern, p));
+    read_name(name, panel);
     return MUS_OK;
 }
 

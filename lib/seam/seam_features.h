@@ -4,6 +4,8 @@
 #ifndef MUS_SEAM_FEATURES_H
 #define MUS_SEAM_FEATURES_H
 
+#include "seam/seam_kinds.h"
+
 /* features of a seam, each with a name for the study's table */
 #define MUS__SEAM_PAIR(X)                                                                                            \
     X(SEWN, "a seam")                                                                                                \
@@ -24,6 +26,7 @@
     X(SAME, "one panel")                                                                                             \
     X(CENTRE_SEAM, "left to right, both edges towards the centre")                                                   \
     X(CROSSED, "left to right otherwise")                                                                            \
+    X(LEGS_CROSSED, "left leg to right leg in the lower half: the inner leg, not the crotch")                        \
     X(ONE_HALF, "both on one half of the body")                                                                      \
     X(SIDES_AGREE, "front to back on one half: both towards the centre or both away")                                \
     X(SIDES_DIFFER, "front to back on one half: one towards the centre, one away")                                   \
@@ -36,7 +39,6 @@
     X(NOTCH_OK, "notches agree in number and kind")                                                                  \
     X(NOTCH_PLACE, "notches agree in place")                                                                         \
     X(NOTCH_BAD, "notches disagree")                                                                                 \
-    X(LABEL, "panels of one label")                                                                                  \
     X(WORDS, "share of common words of the panels' names")                                                           \
     X(NUMBERS, "names that differ by one in a number")                                                               \
     X(HEIGHT, "difference of the heights within the panels")                                                         \
@@ -45,7 +47,6 @@
     X(JILTED, "edges that leave one of equal length, 0 to 2")                                                        \
     X(SHORT, "length of the shorter by the longest of the pattern")
 
-/* features of a whole sewing: free edges, vertices, openings, symmetry */
 /* features of a whole sewing: free edges, vertices, openings, symmetry */
 #define MUS__SEAM_WHOLE(X)                                                                                           \
     X(FREE_TURN, "turn of a free edge [rad]")                                                                        \
@@ -87,22 +88,25 @@
     X(OPENINGS_3, "garments of 3 openings")                                                                          \
     X(OPENINGS_4, "garments of 4 openings")                                                                          \
     X(OPENINGS_MORE, "openings beyond the fifth")                                                                    \
+    X(OPENINGS_FEWER, "openings less than the parts of a garment have: neck, waist, hem, two for arms, legs")        \
+    X(OPENINGS_BEYOND, "openings more than that")                                                                    \
     X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
     X(FREE_CENTRE, "a free edge towards the centre, of a left or right panel")                                       \
     X(UNLIKE, "free edges of a panel more or less than those of another of its shape")                               \
     X(UNEVEN, "seams whose mirror image is none, of panels of which it is known")                                    \
     X(UNEVEN_FREE, "free edges whose mirror image is sewn, likewise")
 
-/* tables of kinds, of which each seam and each free edge has one: see seam_score.c */
-#define MUS__SEAM_RELATIONS 4  /* of two panels: one, images of one another, front and back, others */
-#define MUS__SEAM_DIRECTIONS 6 /* of two normals */
-#define MUS__SEAM_LENGTHS 3    /* of two lengths: within 0.2 %, within 5 %, others */
-#define MUS__SEAM_SEAM_KINDS (MUS__SEAM_RELATIONS * MUS__SEAM_DIRECTIONS * MUS__SEAM_LENGTHS)
-#define MUS__SEAM_FREE_KINDS 36
-
 #define MUS__SEAM_ENUM(name, text) MUS__SEAM_##name,
-enum { MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_KIND, MUS__SEAM_PAIRS = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS };
-enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_FREE, MUS__SEAM_WHOLES = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS };
+enum {
+    MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_KIND,
+    MUS__SEAM_ROLE = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS,
+    MUS__SEAM_PAIRS = MUS__SEAM_ROLE + MUS__SEAM_ROLE_PAIRS
+};
+enum {
+    MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_FREE,
+    MUS__SEAM_FREE_ROLE = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS,
+    MUS__SEAM_WHOLES = MUS__SEAM_FREE_ROLE + MUS__SEAM_ROLES * MUS__SEAM_SIDES
+};
 #define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_WHOLES)
 
 #endif

@@ -49,7 +49,7 @@ typedef struct mus__seam_panel {
     int32_t image, like; /* panel that is its mirror image, MUS_NONE without one; first panel of its shape */
     bool sure;        /* names or shapes leave no other image */
     uint64_t key;     /* equal for panels of equal edges */
-    uint32_t label;
+    int32_t role;     /* of MUS__SEAM_ROLE_: what part of a garment the name tells, else the label */
     uint32_t words[MUS__SEAM_IN_NAME];
     int32_t nword;
     uint32_t stem;    /* of the name without its number */
@@ -70,16 +70,15 @@ typedef struct mus__seam_facts {
 /* reads the facts of a pattern. Errors: MUS_ERR_LIMIT (MUS__SEAM_EDGES), MUS_ERR_MEMORY; *out is to be freed anyway */
 mus_status mus__seam_read(const mus_pattern *pattern, mus__seam_facts *out);
 void mus__seam_free(mus__seam_facts *facts);
-
 /* number of other edges whose length differs from that of edge a by less than the ratio */
 int32_t mus__seam_count_near(const mus__seam_facts *facts, int32_t a, double ratio);
 
+/* whether no garment has this seam: what is on one arm goes to no panel of the other side */
+bool mus__seam_never(const mus__seam_facts *facts, int32_t a, int32_t b);
 /* features (MUS__SEAM_PAIRS) of a seam */
 void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out);
-
 /* scratch memory of mus__seam_whole(), integers */
-#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 3 * (facts)->npanel)
-
+#define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 4 * (facts)->npanel)
 /* features (MUS__SEAM_WHOLES) of a sewing, mate (n) */
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out);
 
@@ -99,6 +98,7 @@ typedef struct mus__seam_change {
     int32_t a, b; /* to sew; b MUS_NONE: a is freed; a MUS_NONE: the mates of panel b and of its image swap */
     bool join;     /* the mates that they had are sewn to one another */
     bool on;       /* the edges beside them are sewn too, as long as the ratio of the lengths stays */
+    bool to_end, over; /* the same at any ratio; the same along the outlines, over seams that are there */
     bool mirrored; /* the same is done to the mirror images */
 } mus__seam_change;
 

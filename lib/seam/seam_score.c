@@ -80,13 +80,36 @@ static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, doubl
 }
 
 
+static bool of_arm(const mus__seam_panel *p)
+{
+    return p->role == MUS__SEAM_ROLE_SLEEVE || p->role == MUS__SEAM_ROLE_CUFF;
+}
+
+
+static bool crossed(const mus__seam_panel *p, const mus__seam_panel *q)
+{
+    const int32_t lateral = MUS_SIDE_LEFT | MUS_SIDE_RIGHT;
+    return ((p->sides | q->sides) & lateral) == lateral && (p->sides & lateral) != 0 && (q->sides & lateral) != 0;
+}
+
+
+bool mus__seam_never(const mus__seam_facts *facts, int32_t a, int32_t b)
+{
+    const mus__seam_panel *p = &facts->panels[facts->edges[a].panel], *q = &facts->panels[facts->edges[b].panel];
+    return crossed(p, q) && (of_arm(p) || of_arm(q));
+}
+
+
 /* the halves of the body: a seam crosses the centre only between edges that look to it */
-static void pair_halves(const mus__seam_edge *x, const mus__seam_edge *y, double *out)
+static void pair_halves(const mus__seam_facts *facts, const mus__seam_edge *x, const mus__seam_edge *y, double *out)
 {
     const int32_t halves = x->half * y->half, sides = x->inwards * y->inwards;
     const bool front_back = out[MUS__SEAM_FRONT_BACK] > 0.0;
+    const mus__seam_panel *p = &facts->panels[x->panel], *q = &facts->panels[y->panel];
+    const bool legs = p->role == MUS__SEAM_ROLE_LEG && q->role == MUS__SEAM_ROLE_LEG && crossed(p, q);
     out[MUS__SEAM_CENTRE_SEAM] = halves < 0 && x->inwards > 0 && y->inwards > 0;
     out[MUS__SEAM_CROSSED] = halves < 0 && out[MUS__SEAM_CENTRE_SEAM] <= 0.0;
+    out[MUS__SEAM_LEGS_CROSSED] = legs && fmax(x->height, y->height) < 0.5;
     out[MUS__SEAM_ONE_HALF] = halves > 0;
     out[MUS__SEAM_SIDES_AGREE] = halves > 0 && front_back && sides > 0;
     out[MUS__SEAM_SIDES_DIFFER] = halves > 0 && front_back && sides < 0;
@@ -113,7 +136,6 @@ static void pair_panels(const mus__seam_panel *p, const mus__seam_panel *q, doub
     out[MUS__SEAM_FRONT_BACK] = pa != 0 && qa != 0 && pa != qa;
     out[MUS__SEAM_FRONT_FRONT] = p != q && pa != 0 && pa == qa;
     out[MUS__SEAM_TWIN] = p != q && p->key == q->key;
-    out[MUS__SEAM_LABEL] = p != q && p->label == q->label;
     out[MUS__SEAM_WORDS] = p != q ? common_words(p, q) : 0.0;
     out[MUS__SEAM_NUMBERS] = p->number != MUS_NONE && q->number != MUS_NONE && p->stem == q->stem &&
                              (p->number - q->number == 1 || q->number - p->number == 1);
@@ -168,12 +190,15 @@ void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *
     if (x->panel == y->panel) pair_panel(facts, a, b, out);
     pair_panels(&facts->panels[x->panel], &facts->panels[y->panel], out);
     pair_notches(facts, x, y, out);
-    pair_halves(x, y, out);
+    pair_halves(facts, x, y, out);
     out[MUS__SEAM_CURVE_EQUAL] = out[MUS__SEAM_NEAR] > 0.0 && fabs(x->turn) > 0.1 && fabs(x->turn - y->turn) < 0.05;
     out[MUS__SEAM_UNEQUAL_TURN] = out[MUS__SEAM_NEAR] > 0.0 ? 0.0 : out[MUS__SEAM_TURN_BOTH];
     out[MUS__SEAM_CENTRE] = x->mirror == b;
     out[MUS__SEAM_HEIGHT] = x->panel != y->panel ? fabs(x->height - y->height) : 0.0;
     out[MUS__SEAM_KIND + pair_kind(facts, x, y, out)] = 1.0;
+    const int32_t p = facts->panels[x->panel].role, q = facts->panels[y->panel].role;
+    const int32_t parts = p > q ? p * (p + 1) / 2 + q : q * (q + 1) / 2 + p;
+    out[MUS__SEAM_ROLE + 2 * parts + (out[MUS__SEAM_EASED] > 0.0)] = 1.0;
 }
 
 
@@ -188,6 +213,7 @@ typedef struct surface {
     int32_t *part;  /* (npanel) parent in the forest of components */
     int32_t *openings; /* (npanel) of the component of which the panel is the root */
     int32_t *free;     /* (npanel) free edges */
+    int32_t *roles;    /* (npanel) bits of the roles in the component of which the panel is the root */
     int32_t nvertex, nopening;
     double *out;
 } surface;
@@ -201,6 +227,7 @@ static void free_edge(const surface *s, int32_t a)
     const int32_t shape = x->turn < -CURVED ? 0 : x->turn > CURVED ? 1 : 2;
     const int32_t rivals = equal > own ? 0 : equal > 0 ? 1 : 2;
     s->out[MUS__SEAM_FREE + (direction * 3 + shape) * 3 + rivals] += 1.0;
+    s->out[MUS__SEAM_FREE_ROLE + s->facts->panels[x->panel].role * MUS__SEAM_SIDES + direction] += 1.0;
     s->out[MUS__SEAM_FREE_TURN] += fmin(fabs(x->turn), 3.0);
     s->out[MUS__SEAM_FREE_LENGTH] += x->length / s->facts->longest;
     s->out[MUS__SEAM_FREE_NOTCH] += x->nnotch > 0;
@@ -343,12 +370,27 @@ static int32_t count_components(const surface *s, int32_t *faces)
 }
 
 
+/* openings of a garment with these parts: a torso has neck, waist and arms, trousers the waist and two legs, a skirt
+ * waist and hem; 0 where no part is known */
+static int32_t openings_of(int32_t roles)
+{
+    const bool torso = (roles & 1 << MUS__SEAM_ROLE_TORSO) != 0, leg = (roles & 1 << MUS__SEAM_ROLE_LEG) != 0;
+    if (torso) return leg ? 5 : 4;
+    return leg ? 3 : (roles & 1 << MUS__SEAM_ROLE_SKIRT) != 0 ? 2 : 0;
+}
+
+
 static void count_openings(const surface *s)
 {
+    for (int32_t p = 0; p < s->facts->npanel; p++)
+        if (s->facts->panels[p].n > 0) s->roles[part_root(s->part, p)] |= 1 << s->facts->panels[p].role;
     for (int32_t p = 0; p < s->facts->npanel; p++) {
         const int32_t n = s->openings[p];
         s->out[MUS__SEAM_UNLIKE] += abs(s->free[p] - s->free[s->facts->panels[p].like]);
         if (s->facts->panels[p].n == 0 || s->part[p] != p) continue;
+        const int32_t expected = openings_of(s->roles[p]);
+        s->out[MUS__SEAM_OPENINGS_FEWER] += expected > n ? expected - n : 0;
+        s->out[MUS__SEAM_OPENINGS_BEYOND] += expected > 0 && n > expected ? n - expected : 0;
         s->out[MUS__SEAM_SEALED] += n < 2;
         s->out[MUS__SEAM_OPENINGS_2] += n == 2;
         s->out[MUS__SEAM_OPENINGS_3] += n == 3;
@@ -375,10 +417,11 @@ void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t 
                  .part = scratch + 4 * n,
                  .openings = scratch + 4 * n + facts->npanel,
                  .free = scratch + 4 * n + 2 * facts->npanel,
+                 .roles = scratch + 4 * n + 3 * facts->npanel,
                  .out = out};
     int32_t seams = 0, faces = 0;
     memset(scratch, 0, 3 * sizeof *scratch * (size_t)n);
-    memset(s.openings, 0, 2 * sizeof *scratch * (size_t)facts->npanel);
+    memset(s.openings, 0, 3 * sizeof *scratch * (size_t)facts->npanel);
     memset(out, 0, MUS__SEAM_WHOLES * sizeof *out);
     for (int32_t a = 0; a < n; a++) {
         const int32_t b = mate[a];

@@ -1,10 +1,11 @@
 /*
  * seam_search.c: the sewing of highest score, by local changes.
  *
- * A change sews two edges (their former mates become free, or are sewn to one another, or the edges beside the two are
- * sewn on at the same ratio of lengths), frees an edge, or swaps what a panel and its mirror image are sewn to; each
- * also together with its mirror image. The search takes for each edge the best change as long as any raises the score;
- * it does so from the pairs of highest score, and from the end of each round of simulated annealing.
+ * A change sews two edges, frees an edge, or swaps what a panel and its mirror image are sewn to; each also together
+ * with its mirror image. The former mates of two edges that are sewn become free, or are sewn to one another. Or the
+ * seam goes on beside the two edges: at the same ratio of lengths, to the end of an opening, or along both outlines,
+ * over seams that are there. The search takes for each edge the best change as long as any raises the score; it does so
+ * from the pairs of highest score, and from the end of each round of simulated annealing.
  */
 #include <math.h>
 #include <string.h>
@@ -17,7 +18,7 @@
 #define SEARCH_HEAT 4.0   /* score, first temperature; chosen: a seam that one edge prefers by it may be opened */
 #define SEARCH_STEPS 1500 /* changes tried for each edge in one annealing; chosen: half a second for 60 edges */
 #define SEARCH_GAIN 1e-9  /* a change that raises the score by less is none */
-#define CHANGES_OF_MATE 6 /* alone, joined or continued; mirrored or not */
+#define CHANGES_OF_MATE 10 /* alone, joined, continued, continued to the end, continued over seams; mirrored or not */
 
 
 static void *search_new(mus_context *context, int64_t count, size_t size)
@@ -47,6 +48,7 @@ mus_status mus__seam_begin(const mus__seam_facts *facts, const double *weights, 
             double features[MUS__SEAM_PAIRS], sum = 0.0;
             mus__seam_pair(facts, a, b, features);
             for (int32_t k = 0; k < MUS__SEAM_PAIRS; k++) sum += weights[k] * features[k];
+            if (mus__seam_never(facts, a, b)) sum = -HUGE_VAL;
             out->pairs[(int64_t)a * n + b] = out->pairs[(int64_t)b * n + a] = sum;
         }
         for (int32_t k = 0; k < SEARCH_NEAR; k++) near_a[k] = MUS_NONE;
@@ -142,8 +144,9 @@ static int32_t free_beside(const mus__seam_facts *facts, const int32_t *mate, in
 }
 
 
-/* sews on from the seam of a and b, both ways along the opening, as long as the ratio of the lengths stays the same */
-static bool sew_on(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t *mate)
+/* sews on from the seam of a and b, both ways along the opening, as long as the ratio of the lengths stays the same, or
+ * to the end of the opening */
+static bool sew_on(const mus__seam_facts *facts, int32_t a, int32_t b, bool to_end, int32_t *mate)
 {
     const double ratio = facts->edges[a].log_length - facts->edges[b].log_length;
     bool changed = false;
@@ -152,12 +155,40 @@ static bool sew_on(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t *
             x = free_beside(facts, mate, x, way == 0);
             y = free_beside(facts, mate, y, way != 0);
             if (x == MUS_NONE || y == MUS_NONE || x == y) break;
-            if (fabs(facts->edges[x].log_length - facts->edges[y].log_length - ratio) > MUS__SEAM_EQUAL_RATIOS) break;
+            const double off = fabs(facts->edges[x].log_length - facts->edges[y].log_length - ratio);
+            if ((off > MUS__SEAM_EQUAL_RATIOS && !to_end) || mus__seam_never(facts, x, y)) break;
             mate[x] = y;
             mate[y] = x;
             changed = true;
         }
     return changed;
+}
+
+
+/* sews on from the seam of a and b, both ways along the two outlines, over the seams that are there, as long as the
+ * ratio of the lengths stays the same: an insert goes into its slit at once */
+static bool sew_over(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t *mate)
+{
+    const mus__seam_edge *edges = facts->edges;
+    const double ratio = edges[a].log_length - edges[b].log_length;
+    bool changed = false;
+    for (int32_t way = 0; way < 2; way++)
+        for (int32_t x = a, y = b;;) {
+            x = way == 0 ? edges[x].next : edges[x].prev;
+            y = way == 0 ? edges[y].prev : edges[y].next;
+            if (x == a || y == b || x == y || x == b || y == a || mate[x] == y) break;
+            if (fabs(edges[x].log_length - edges[y].log_length - ratio) > MUS__SEAM_EQUAL_RATIOS) break;
+            if (mus__seam_never(facts, x, y) || !sew_pair(facts->fixed, x, y, false, mate)) break;
+            changed = true;
+        }
+    return changed;
+}
+
+
+/* what lies beside the seam of a and b is sewn as the change tells */
+static bool go_on(const mus__seam_facts *facts, const mus__seam_change *change, int32_t a, int32_t b, int32_t *mate)
+{
+    return change->over ? sew_over(facts, a, b, mate) : sew_on(facts, a, b, change->to_end, mate);
 }
 
 
@@ -176,11 +207,11 @@ bool mus__seam_change_apply(const mus__seam_facts *facts, const mus__seam_change
         return true;
     }
     if (!sew_pair(facts->fixed, a, b, change->join, mate)) return false;
-    if (!change->mirrored) return !change->on || sew_on(facts, a, b, mate);
+    if (!change->mirrored) return !change->on || go_on(facts, change, a, b, mate);
     if (c == MUS_NONE || d == MUS_NONE || c == b || c == a || d == b) return false;
     if (!sew_pair(facts->fixed, c, d, change->join, mate)) return false;
     if (!change->on) return true;
-    const bool one = sew_on(facts, a, b, mate), other = sew_on(facts, c, d, mate);
+    const bool one = go_on(facts, change, a, b, mate), other = go_on(facts, change, c, d, mate);
     return one || other;
 }
 
@@ -200,9 +231,12 @@ bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_
         out->mirrored = k == 1;
     } else {
         out->b = search->near[(int64_t)a * SEARCH_NEAR + (k - 2) / CHANGES_OF_MATE];
-        out->join = (k - 2) % CHANGES_OF_MATE % 3 == 1;
-        out->on = (k - 2) % CHANGES_OF_MATE % 3 == 2;
-        out->mirrored = (k - 2) % CHANGES_OF_MATE >= 3;
+        const int32_t way = (k - 2) % CHANGES_OF_MATE;
+        out->join = way % 5 == 1;
+        out->on = way % 5 > 1;
+        out->to_end = way % 5 == 3;
+        out->over = way % 5 == 4;
+        out->mirrored = way >= 5;
     }
     return true;
 }

@@ -1,6 +1,6 @@
 /*
  * test_seam_propose.c: seams proposed for a pattern without: a skirt, a seam that is there, no memory;
- * the surface that a sewing makes.
+ * the surface that a sewing makes; parts of a garment told by names.
  */
 #include <string.h>
 
@@ -116,6 +116,51 @@ START_TEST(the_surface_of_a_skirt_is_a_tube)
 END_TEST
 
 
+/* the first word of the table that is in the name decides; a part of a word is none */
+START_TEST(names_tell_the_parts_of_a_garment)
+{
+    static const struct {
+        const char *name;
+        int32_t role;
+    } panels[] = {{"Sleeve_left", MUS__SEAM_ROLE_SLEEVE}, {"pant_l_cuff_b", MUS__SEAM_ROLE_CUFF},
+                  {"front skirt 2", MUS__SEAM_ROLE_SKIRT}, {"left_ftorso", MUS__SEAM_ROLE_TORSO},
+                  {"inside", MUS__SEAM_ROLE_NONE},         {"17", MUS__SEAM_ROLE_NONE}};
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus__seam_facts facts;
+    ck_assert_int_eq(mus_pattern_create(context, "parts", &pattern), MUS_OK);
+    for (int32_t i = 0; i < 6; i++) add_trapezoid(pattern, panels[i].name, 0.3, 0.4, 0.5);
+    ck_assert_int_eq(mus__seam_read(pattern, &facts), MUS_OK);
+    for (int32_t i = 0; i < 6; i++) ck_assert_int_eq(facts.panels[i].role, panels[i].role);
+    mus__seam_free(&facts);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* two sleeves of one shape: all edges are equal, and no seam goes from one to the other */
+START_TEST(an_arm_is_not_sewn_to_the_other_side)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    int32_t edges[64], chosen[32], n = 0, owns = 0;
+    ck_assert_int_eq(mus_pattern_create(context, "sleeves", &pattern), MUS_OK);
+    add_trapezoid(pattern, "sleeve_left", 0.3, 0.2, 0.5);
+    add_trapezoid(pattern, "sleeve_right", 0.3, 0.2, 0.5);
+    ck_assert_int_eq(mus_pattern_propose_seams(pattern, edges, chosen, NULL, 32, &n), MUS_OK);
+    ck_assert_int_le(n, 32);
+    for (int32_t i = 0; i < n; i++) {
+        if (chosen[i]) ck_assert_int_eq(edges[2 * i] / 4, edges[2 * i + 1] / 4);
+        owns += chosen[i];
+    }
+    ck_assert_int_eq(owns, 2);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_failed_allocation_is_a_status)
 {
     for (int64_t n = 0;; n++) {
@@ -143,6 +188,8 @@ Suite *mus_suite_seam_propose(void)
     tcase_add_test(tests, a_skirt_is_sewn_at_its_sides);
     tcase_add_test(tests, a_seam_that_is_there_is_kept);
     tcase_add_test(tests, the_surface_of_a_skirt_is_a_tube);
+    tcase_add_test(tests, names_tell_the_parts_of_a_garment);
+    tcase_add_test(tests, an_arm_is_not_sewn_to_the_other_side);
     tcase_add_test(tests, a_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;

@@ -1,12 +1,14 @@
 /*
  * seams.c: the seams of patterns are taken away and found again: `make seams`.
  *
- *     build/bin/seams DATA [--every N] [--fit FILE] [--list]
+ *     build/bin/seams DATA [--every N] [--rounds N] [--swap] [--fit FILE] [--list]
  *
  * The patterns are every N-th named design (default 8), each in one size, and every GarmentCode specification of the
  * folder DATA. They are in two halves: designs by the hash of their family, specifications by their number, so that the
  * variants of a garment are in one half. --fit fits the weights of lib/seam/seam_weights.c to the first half and
- * writes them; without it the weights of the library are judged. Both halves are printed.
+ * writes them; without it the weights of the library are judged. Both halves are printed. --swap exchanges the halves:
+ * with --fit and --list it lists the errors in the fitted half by weights that never saw it. --rounds is that of the
+ * annealing. The specifications of one body are also fitted without their sleeves, collars, upper and lower halves.
  *
  * The fit: at the true sewing, at those that the search found, and at the true one without the seams of a panel, the
  * changes that the search would try are a group, in which one choice is right: the change that makes most seams right,
@@ -16,7 +18,6 @@
  * Panels of one shape can stand for one another, and one that is the same upside down can be turned: the true sewing is
  * renamed by such exchanges as long as they make more of the found seams right.
  */
-#include <glob.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -26,23 +27,13 @@
 #include "muslin/exchange.h"
 #include "muslin/muslin.h"
 #include "alike.h"
-#include "seam/seam_find.h"
+#include "sewn_garments.h"
 
 #define D MUS__SEAM_FEATURES
-#define RIDGE 2.0  /* in units of one group */
+#define RIDGE 4.0    /* in units of one group; chosen */
 #define ROUNDS_FIT 6 /* of search and regression */
 #define FAR 5.0      /* a sewing whose score is so far below that of the right one is left out */
 #define BINS 10
-
-typedef struct garment {
-    char name[128];
-    bool ours, judged;
-    mus__seam_facts facts;
-    int32_t *truth;
-    mus_pattern *pattern;
-    int32_t *found; /* the sewing that the search found last */
-    int32_t ndirect;
-} garment;
 
 #define NAME_OF(name, text) text,
 static const char *const pair_names[MUS__SEAM_KIND] = {MUS__SEAM_PAIR(NAME_OF)};
@@ -51,92 +42,9 @@ static const char *const whole_names[MUS__SEAM_FREE] = {MUS__SEAM_WHOLE(NAME_OF)
 static const char *feature_name(int32_t k)
 {
     if (k < MUS__SEAM_KIND) return pair_names[k];
-    if (k < MUS__SEAM_PAIRS) return "a kind of seam";
-    return k < MUS__SEAM_PAIRS + MUS__SEAM_FREE ? whole_names[k - MUS__SEAM_PAIRS] : "a kind of free edge";
-}
-
-
-static garment *garments;
-static int32_t ngarment;
-
-
-static void give_up(mus_context *context, const char *what)
-{
-    fprintf(stderr, "seams: %s: %s\n", what, mus_context_error(context));
-    exit(1);
-}
-
-
-static void add_garment(mus_context *context, mus_pattern *pattern, const char *name, bool ours, bool judged)
-{
-    garments = realloc(garments, (size_t)(ngarment + 1) * sizeof *garments);
-    if (garments == NULL) exit(1);
-    garment *g = &garments[ngarment++];
-    memset(g, 0, sizeof *g);
-    snprintf(g->name, sizeof g->name, "%s", name);
-    g->ours = ours;
-    g->judged = judged;
-    if (mus__seam_read(pattern, &g->facts) != MUS_OK) give_up(context, name);
-    g->truth = malloc(sizeof *g->truth * (size_t)(g->facts.n + 1));
-    memcpy(g->truth, g->facts.fixed, sizeof *g->truth * (size_t)g->facts.n);
-    for (int32_t i = 0; i < g->facts.n; i++) g->facts.fixed[i] = MUS_NONE;
-    for (int32_t s = 0; s < mus_pattern_seam_count(pattern); s++) {
-        mus_seam_def def;
-        mus_seam_def_init(&def, sizeof def);
-        mus_pattern_seam(pattern, s, &def);
-        g->ndirect += def.direction == MUS_SEAM_DIRECT;
-    }
-    g->pattern = pattern;
-}
-
-
-static uint32_t hash_text(const char *text)
-{
-    uint32_t hash = 2166136261u;
-    for (; *text != '\0'; text++) hash = (hash ^ (uint32_t)(unsigned char)*text) * 16777619u;
-    return hash ^ (hash >> 15);
-}
-
-
-static void load_designs(mus_context *context, int32_t every)
-{
-    static const char *const sizes[] = {"W40", "M50", "C116"};
-    mus_tape *tapes[3] = {NULL};
-    for (int32_t i = 0; i < 3; i++)
-        if (mus_tape_create(context, &tapes[i]) != MUS_OK || mus_tape_set_size(tapes[i], sizes[i]) != MUS_OK ||
-            mus_tape_complete(tapes[i]) != MUS_OK)
-            give_up(context, sizes[i]);
-    for (int32_t i = 0; i < mus_design_count(); i += every) {
-        const int32_t groups = mus_design_groups(i), tape = groups & 1 ? 0 : groups & 2 ? 1 : 2;
-        mus_pattern *pattern = NULL;
-        if (mus_design_draft(context, i, tapes[tape], NULL, &pattern) != MUS_OK) {
-            fprintf(stderr, "seams: %s is not drafted: %s\n", mus_design_name(i), mus_context_error(context));
-            continue;
-        }
-        add_garment(context, pattern, mus_design_name(i), true, hash_text(mus_design_family(i)) % 2 != 0);
-    }
-    for (int32_t i = 0; i < 3; i++) mus_tape_destroy(tapes[i]);
-}
-
-
-static void load_specifications(mus_context *context, const char *data)
-{
-    static const char *const folders[] = {"specs", "originals"};
-    for (int32_t f = 0; f < 2; f++) {
-        char path[1024];
-        glob_t found;
-        snprintf(path, sizeof path, "%s/garmentcode/%s/*_specification.json", data, folders[f]);
-        if (glob(path, 0, NULL, &found) != 0) continue;
-        for (size_t i = 0; i < found.gl_pathc; i++) {
-            mus_pattern *pattern = NULL;
-            const char *name = strrchr(found.gl_pathv[i], '/') + 1;
-            int32_t a = 0, number = 0;
-            if (sscanf(name, "d%d_%d", &a, &number) != 2) number = (int32_t)hash_text(name);
-            if (mus_pattern_read(context, found.gl_pathv[i], &pattern) != MUS_OK) give_up(context, name);
-            add_garment(context, pattern, name, false, number % 2 != 0);
-        }
-        globfree(&found);
-    }
+    if (k < MUS__SEAM_PAIRS) return k < MUS__SEAM_ROLE ? "a kind of seam" : "parts of a garment";
+    if (k < MUS__SEAM_PAIRS + MUS__SEAM_FREE) return whole_names[k - MUS__SEAM_PAIRS];
+    return k < MUS__SEAM_PAIRS + MUS__SEAM_FREE_ROLE ? "a kind of free edge" : "a free edge of a part";
 }
 
 
@@ -170,7 +78,7 @@ typedef struct newton {
     double w[D], gradient[D], hessian[D * D];
     row *rows; /* those of a garment at one time follow one another */
     float *values;
-    uint8_t *places;
+    uint16_t *places;
     int64_t nrow, row_room, nvalue, value_room;
     double *z;     /* (nrow) scores less that of the truth */
     int32_t *groups; /* (ngroup) first row of each group */
@@ -201,7 +109,7 @@ static void add_row(newton *fit, const garment *g, const int32_t *mate, const in
     for (int32_t k = 0; k < D; k++)
         if (fabs(x[k]) > 1e-9) {
             fit->values[fit->nvalue] = (float)x[k];
-            fit->places[fit->nvalue++] = (uint8_t)k;
+            fit->places[fit->nvalue++] = (uint16_t)k;
         }
     r->n = (int32_t)fit->nvalue - r->first;
 }
@@ -453,7 +361,8 @@ static void write_weights(const char *path, const double *w, const double *c)
 static void judge(garment *g, const double *weights, int32_t rounds, bool keep, bool list, const double *confidence)
 {
     mus__seam_search search;
-    tally *t = &tallies[g->judged][g->ours];
+    tally *t = &tallies[g->judged][g->ours], none = {0};
+    if (g->part) t = &none;
     if (mus__seam_begin(&g->facts, weights, &search) != MUS_OK) exit(1);
     mus__seam_run(&search, rounds);
     seams_match(&g->facts, g->truth, search.mate);
@@ -523,16 +432,16 @@ static void print_confidence(void)
 }
 
 
-static void fit_weights(newton *fit)
+static void fit_weights(newton *fit, const garments *all)
 {
     /* the first rows need the edges whose lengths are nearest */
     fit->w[MUS__SEAM_RATIO] = -1.0;
     for (int32_t round = 0; round < ROUNDS_FIT; round++) {
-        for (int32_t i = 0; i < ngarment; i++)
-            if (!garments[i].judged) add_groups(fit, &garments[i], round);
+        for (int32_t i = 0; i < all->n; i++)
+            if (!all->list[i].judged) add_groups(fit, &all->list[i], round);
         regress(fit, 20);
-        for (int32_t i = 0; i < ngarment; i++)
-            if (!garments[i].judged) judge(&garments[i], fit->w, 1, true, false, NULL);
+        for (int32_t i = 0; i < all->n; i++)
+            if (!all->list[i].judged) judge(&all->list[i], fit->w, round > 1, true, false, NULL);
         print_tallies();
         fflush(stdout);
     }
@@ -544,6 +453,7 @@ int main(int argc, char **argv)
     int32_t every = 8, rounds = 4;
     const char *out = NULL;
     bool list = false;
+    garments all = {0};
     mus_context *context = NULL;
     if (argc < 2 || mus_context_create(NULL, &context) != MUS_OK) return 1;
     for (int i = 2; i < argc; i++) {
@@ -553,25 +463,28 @@ int main(int argc, char **argv)
             rounds = atoi(argv[++i]);
         else if (strcmp(argv[i], "--fit") == 0 && i + 1 < argc)
             out = argv[++i];
+        else if (strcmp(argv[i], "--swap") == 0)
+            all.swap = true;
         else if (strcmp(argv[i], "--list") == 0)
             list = true;
     }
-    load_designs(context, every);
-    load_specifications(context, argv[1]);
+    garments_add_designs(&all, context, every);
+    garments_add_specifications(&all, context, argv[1], out != NULL);
     static newton fit;
     double confidence[2] = {mus__seam_confidence[0], mus__seam_confidence[1]};
     memcpy(fit.w, mus__seam_weights, sizeof fit.w);
     if (out != NULL) {
         memset(fit.w, 0, sizeof fit.w);
-        fit_weights(&fit);
-        for (int32_t i = 0; i < ngarment; i++)
-            if (!garments[i].judged) judge(&garments[i], fit.w, 0, false, false, confidence);
+        fit_weights(&fit, &all);
+        for (int32_t i = 0; i < all.n; i++)
+            if (!all.list[i].judged && !all.list[i].part) judge(&all.list[i], fit.w, 0, false, false, confidence);
         memset(tallies, 0, sizeof tallies);
         memset(bins, 0, sizeof bins);
         fit_confidence(confidence);
         write_weights(out, fit.w, confidence);
     }
-    for (int32_t i = 0; i < ngarment; i++) judge(&garments[i], fit.w, rounds, false, list, confidence);
+    for (int32_t i = 0; i < all.n; i++)
+        if (!all.list[i].part) judge(&all.list[i], fit.w, rounds, false, list, confidence);
     print_tallies();
     print_confidence();
     return 0;

@@ -49,7 +49,7 @@ const SCALARS = Dict("mus_status" => Int32, "int32_t" => Int32, "int64_t" => Int
                      "uint8_t" => UInt8, "size_t" => Csize_t, "double" => Float64, "float" => Float32, "char" => UInt8,
                      "int" => Cint, "void" => Cvoid)
 
-base(type) = strip(replace(type, "const" => "", "*" => ""))
+base(type) = strip(replace(replace(type, "const" => ""), "*" => ""))
 pointer_depth(type) = count(==('*'), type)
 scalar(type) = get(SCALARS, type, Ptr{Cvoid}) # pointers, handles and callbacks are addresses
 
@@ -135,6 +135,7 @@ given(::Nothing, type) = C_NULL
 given(value::NamedTuple, type) = Ref(defaults(getfield(Muslin, Symbol(base(type))); value...))
 
 isout(type) = pointer_depth(type) == 2 && base(type) in ABI["handles"]
+isobject(type) = pointer_depth(type) == 1 && base(type) in ABI["handles"]
 
 for (name, about) in ABI["functions"]
     endswith(name, "_destroy") && continue
@@ -145,7 +146,8 @@ for (name, about) in ABI["functions"]
     ctypes = [text(type) ? Cstring : scalar(type) for type in types]
     result = text(about["result"]) ? Cstring : scalar(about["result"])
     inputs = [symbols[i] for i in eachindex(types) if !(i in outs)]
-    needed = something(findlast(type -> haskey(SCALARS, type), types), 1) # the pointers after it may be left out
+    # an object at the first place is needed, and what stands before a number; the pointers after it may be left out
+    needed = something(findlast(type -> haskey(SCALARS, type), types), isempty(types) || !isobject(types[1]) ? 0 : 1)
     parameters = [i > needed ? Expr(:kw, s, nothing) : s for (i, s) in enumerate(symbols) if !(i in outs)]
     prepare = [i in outs ? :($s = Ref{Ptr{Cvoid}}(C_NULL)) :
                text(types[i]) ? :($s = $s === nothing ? Cstring(C_NULL) : $s) : :($s = given($s, $(types[i])))

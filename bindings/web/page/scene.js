@@ -1,5 +1,5 @@
-// scene.js: the worker that draws body and garment, in three.js: turned by hand or arrow keys, coloured plain or by a fit
-// map. view.js, on the page's side, sends it the canvas, its size, the events of the hand, and what is to be shown.
+// scene.js: the worker that draws body and garment, in three.js: turned by hand or arrow keys, coloured plain or by a
+// fit map. view.js, on the page's side, sends it the canvas, its size, the events of the hand, and what is to be shown.
 import {
     AmbientLight,
     BufferAttribute,
@@ -34,8 +34,8 @@ function drawnBySoftware() {
     return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-// Samples of a pixel's width while a hand moves and the processor draws: a picture that follows is worth more than its
-// edges, and at half the width a quarter of the pixels is left
+// Share of the samples each way while a hand moves and the processor draws; chosen: a quarter of the samples is left,
+// and a picture that follows is worth more than its edges
 const MOVING = 0.5;
 
 const equal = (a, b) => {
@@ -75,13 +75,14 @@ class Hand extends EventDispatcher {
 }
 
 class Dressed {
-    constructor(canvas) {
+    // density: pixels of the screen in each of the canvas's
+    constructor(canvas, density) {
         // edges are smoothed where that is cheap and seen: four samples a pixel double the time of the processor
         this.software = drawnBySoftware();
         this.moving = false; // a hand moves a measure: the next picture comes soon
-        this.density = 1;
+        this.density = density;
         this.hand = new Hand();
-        this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, alpha: true });
+        this.renderer = new WebGLRenderer({ canvas, antialias: density < 2 && !this.software, alpha: true });
         this.timed = -Infinity; // when a frame was measured last [ms]
         this.camera = new PerspectiveCamera(30, 1, 0.05, 30);
         this.camera.position.set(1.5, 1.2, 3.6);
@@ -122,7 +123,7 @@ class Dressed {
         this.controls.update();
     }
 
-    // width and height of the canvas, and pixels of the screen in each of theirs
+    // width and height of the canvas [its pixels]
     resize(width, height, density) {
         this.hand.clientWidth = width;
         this.hand.clientHeight = height;
@@ -223,7 +224,7 @@ class Dressed {
 
 let view;
 const calls = {
-    open: ({ canvas }) => (view = new Dressed(canvas)),
+    open: ({ canvas, density }) => (view = new Dressed(canvas, density)),
     resize: ({ width, height, density }) => view.resize(width, height, density),
     event: ({ event }) => (event.type === "keydown" ? view.key(event) : view.hand.give(event)),
     move: ({ moving }) => view.move(moving),

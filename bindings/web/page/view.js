@@ -1,5 +1,5 @@
-// view.js: the page's side of the picture: its canvas is drawn by a worker (scene.js), so that the controls never wait for
-// a picture, which without a graphics card takes the processor as long as a drape.
+// view.js: the page's side of the picture. A worker (scene.js) draws its canvas, so that the controls never wait for a
+// picture, which without a graphics card takes the processor as long as a drape.
 const EVENTS = ["pointerdown", "pointermove", "pointerup", "pointercancel", "wheel", "keydown", "contextmenu"];
 const SENT = ["type", "button", "pointerId", "pointerType", "deltaY", "deltaMode", "key", "code"],
     HELD = ["ctrlKey", "metaKey", "shiftKey"];
@@ -12,11 +12,15 @@ export class View {
         this.worker = new Worker("scene.js", { type: "module" });
         this.worker.onmessage = ({ data }) => {
             if (data.frame) this.frame = this.frame ? (3 * this.frame + data.frame) / 4 : data.frame;
-            else this.waiting.get(data.id)(data.bytes);
+            else {
+                this.waiting.get(data.id)(data.bytes);
+                this.waiting.delete(data.id);
+            }
         };
         const offscreen = canvas.transferControlToOffscreen();
-        this.worker.postMessage({ call: "open", canvas: offscreen }, [offscreen]);
-        for (const type of EVENTS) canvas.addEventListener(type, (event) => this.give(canvas, event), { passive: false });
+        this.worker.postMessage({ call: "open", canvas: offscreen, density: devicePixelRatio }, [offscreen]);
+        const give = (event) => this.give(canvas, event);
+        for (const type of EVENTS) canvas.addEventListener(type, give, { passive: false });
         new ResizeObserver(() => {
             const { clientWidth: width, clientHeight: height } = canvas;
             this.worker.postMessage({ call: "resize", width, height, density: devicePixelRatio });

@@ -4,10 +4,10 @@ import { sketch } from "./sketch.js";
 
 const STOPPED = 19; // MUS_ERR_STOPPED
 const HAND = 30; // a moving hand gives the next value within so many milliseconds of a picture
-const SLICE = 5; // run of settling [ms] while the next value of a hand may come; later ones have twice the time of the one
-// before
-const SKIPS = 2; // wishes in a row at most that are shown and not settled: a dragged slider is followed at once, and the
-// cloth still comes after
+// run of settling [ms] while a hand may still move; each later one has twice the time of the one before
+const SLICE = 5;
+// wishes in a row at most that are shown and not settled: a dragged slider is followed at once, the cloth comes after
+const SKIPS = 2;
 const FINE_SLICE = 640; // the same of the fine worker, whose runs begin anew
 // the body that is shown, by samples of a ring and distance of rings [m]: while a hand moves, without fingers and toes,
 // and when it rests. The cloth lies on the same body in both
@@ -45,7 +45,7 @@ function tapeOf(person) {
 async function settle(told, pause) {
     const start = performance.now();
     let seen = start;
-    for (let budget = told.fine ? FINE_SLICE : SLICE; ; budget *= told.fine || performance.now() - start > HAND ? 2 : 1) {
+    for (let budget = told.fine ? FINE_SLICE : SLICE; ; ) {
         const end = performance.now() + budget;
         room.onProgress = () => (performance.now() > end ? 1 : 0);
         const status = room.settle();
@@ -57,6 +57,7 @@ async function settle(told, pause) {
         }
         await turn();
         if (wish !== null) return STOPPED;
+        if (told.fine || performance.now() - start > HAND) budget *= 2;
     }
 }
 

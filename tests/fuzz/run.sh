@@ -1,8 +1,9 @@
 #!/bin/sh
 # run.sh OUT SECONDS [TARGET...]: the fuzz targets under libFuzzer, with ASan and UBSan, SECONDS of CPU time each (a busy
 # machine takes longer; all targets if none is given). Each line: CPU seconds, executions, edges that were covered,
-# findings. Memory is bounded to 2 GB and an input to 10 s. New inputs stay in OUT/fuzz/NAME, findings in OUT/fuzz/found;
-# a finding is mended, and its input becomes a seed in tests/fuzz/seeds/NAME. Needs clang; without it, it says so.
+# findings. Memory is bounded to 2 GB, an input to 10 s of CPU time and 300 s by the clock. New inputs stay in
+# OUT/fuzz/NAME, findings in OUT/fuzz/found; a finding is mended, and its input becomes a seed in tests/fuzz/seeds/NAME.
+# Needs clang; without it, it says so.
 set -u
 out=$1
 seconds=$2
@@ -30,7 +31,7 @@ for target in "$@"; do
     # libFuzzer counts wall time: it is run again for what is left, from the inputs that it has kept
     while [ "$code" -eq 0 ] && [ "$cpu" -lt "$seconds" ]; do
         LSAN_OPTIONS=suppressions=tests/guard/leaks.supp:print_suppressions=0 "$build/$target" \
-            -max_total_time=$((seconds - cpu)) -timeout=10 -rss_limit_mb=2048 -max_len=20000 -print_final_stats=1 \
+            -max_total_time=$((seconds - cpu)) -timeout=300 -rss_limit_mb=2048 -max_len=20000 -print_final_stats=1 \
             -artifact_prefix="$build/found/$target-" "$build/$target.corpus" tests/fuzz/seeds/"$target" >"$log" 2>&1
         code=$?
         times >"$build/after"

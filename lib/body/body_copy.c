@@ -45,7 +45,7 @@ static mus_status copy_field(mus_context *context, const mus__field *from, const
     const size_t rings = (size_t)from->nring, radii = rings * (size_t)from->nangle;
     *to = *from;
     to->centre = mus__new(context, 2 * (int64_t)rings, sizeof(double));
-    to->radius = mus__new(context, (int64_t)radii, sizeof(double));
+    to->radius = mus__room(context, (int64_t)radii, sizeof(double));
     to->largest = mus__new(context, (int64_t)rings, sizeof(double));
     if (!to->centre || !to->radius || !to->largest) {
         mus__field_free(context, to);

@@ -253,9 +253,9 @@ static mus_status offset_make(mus__offset_surface *surface, const mus_body *body
     surface->field32 = mus__new(context, n, sizeof *surface->field32);
     surface->field64 = mus__new(context, n, sizeof *surface->field64);
     surface->part = mus__new(context, n, sizeof *surface->part);
-    surface->table32 = mus__new(context, total, sizeof *surface->table32);
-    surface->table64 = mus__new(context, total, sizeof *surface->table64);
-    double *scratch = mus__new(context, 3 * OFFSET_LANES * rings, sizeof *scratch);
+    surface->table32 = mus__room(context, total, sizeof *surface->table32);
+    surface->table64 = mus__room(context, total, sizeof *surface->table64);
+    double *scratch = mus__room(context, 3 * OFFSET_LANES * rings, sizeof *scratch);
     if (surface->field32 == NULL || surface->field64 == NULL || surface->part == NULL || surface->table32 == NULL ||
         surface->table64 == NULL || scratch == NULL) {
         mus__free(context, scratch);

@@ -68,12 +68,14 @@ mus_status mus_drape_warm(mus_drape *drape, const mus_drape *from)
         return status;
     }
     drape->program.open_from = 0;
-    mus__weld_open(drape);
     memcpy(drape->x, x, 3 * (size_t)drape->n * sizeof *drape->x);
     mus__free(drape->context, x);
     memset(drape->v, 0, 3 * (size_t)drape->n * sizeof *drape->v);
     mus__drape_push(drape);
-    if (from->welded) mus__weld(drape);
+    if (from->welded)
+        mus__weld_anew(drape);
+    else
+        mus__weld_open(drape);
     mus__drape_publish(drape);
     positions_begin(drape, 0);
     return MUS_OK;

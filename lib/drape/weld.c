@@ -20,18 +20,25 @@ double mus__weld_pair_stiffness(const mus_drape *drape)
 }
 
 
-void mus__weld_open(mus_drape *drape)
+/* each node by itself, with its own mass; the program is as it was */
+static void separate(mus_drape *drape)
 {
     drape->welded = 0;
     mus__union_start(drape->n, drape->rep, NULL);
     for (int32_t i = 0; i < drape->n; i++) drape->mass[i] = drape->cloth->mass[i];
+    drape->program.seam_pull = drape->def.seam_pull;
+}
+
+
+void mus__weld_open(mus_drape *drape)
+{
+    separate(drape);
     mus__program_weld(drape->cloth, NULL, &drape->program);
     mus__clamps_update(drape->cloth, drape->pinned, MUS__PINNED, &drape->program);
     mus__drape_self_weld(drape);
 
     const double k = mus__weld_pair_stiffness(drape);
     for (int32_t p = 0; p < drape->program.npair; p++) drape->program.pair[p].k = k;
-    drape->program.seam_pull = drape->def.seam_pull;
 }
 
 
@@ -80,6 +87,13 @@ static void weld_below(mus_drape *drape, int32_t waits)
 void mus__weld(mus_drape *drape)
 {
     weld_below(drape, drape->program.wait_from);
+}
+
+
+void mus__weld_anew(mus_drape *drape)
+{
+    separate(drape);
+    mus__weld(drape);
 }
 
 

@@ -94,12 +94,14 @@ static mus_status build_rows(mus_context *context, const mus_cloth *cloth, mus__
 {
     program->nrow = cloth->nrow;
     program->row = mus__new(context, cloth->nrow, sizeof *program->row);
-    program->lattice = mus__new(context, cloth->nnode, sizeof *program->lattice);
-    if (program->row == NULL || program->lattice == NULL) return mus__fail_memory(context, "the rows of a drape");
+    program->packet_of = mus__new(context, cloth->nnode, sizeof *program->packet_of);
+    if (program->row == NULL || program->packet_of == NULL) return mus__fail_memory(context, "the rows of a drape");
+    memset(program->packet_of, 0xff, (size_t)cloth->nnode * sizeof *program->packet_of); /* MUS_NONE, which is -1 */
     for (int32_t r = 0; r < cloth->nrow; r++) {
         program->row[r].first = cloth->row[r].first;
         program->row[r].count = cloth->row[r].count;
-        memset(program->lattice + program->row[r].first, 1, (size_t)program->row[r].count);
+        memset(program->packet_of + program->row[r].first, 0,
+               (size_t)program->row[r].count * sizeof *program->packet_of);
     }
     spread_runs(cloth, program, 0);
 
@@ -188,7 +190,6 @@ mus_status mus__program_build(mus_context *context, const mus_cloth *cloth, size
     status = mus__program_stencil(context, cloth, program);
     if (status == MUS_OK) status = mus__contraction_create(context, cloth, program);
     if (status == MUS_OK) status = mus__program_sell_create(context, cloth, program);
-    if (status == MUS_OK) mus__program_irregular(cloth, program);
     return status;
 }
 
@@ -201,7 +202,7 @@ void mus__program_clear(mus_context *context, mus__program *program)
                       program->table,        program->chunk,          program->irregular_node,
                       program->half_start,   program->half_other,     program->half_constant,
                       program->linear_start, program->linear_other,   program->linear_weight,
-                      program->pair_end,     program->lattice,        program->attachment,
+                      program->pair_end,     program->packet_of,        program->attachment,
                       program->tack,         program->slider,         program->clamp,
                       program->cell};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);

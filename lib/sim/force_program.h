@@ -22,7 +22,7 @@ typedef struct mus__program {
     mus__program_row *row;
     mus__half_run *half_run;
     mus__half_bend *half_bend;
-    uint8_t *lattice; /* (nnode) 1: the node is in a row */
+    int32_t *packet_of; /* (nnode) packet of a node in a row, 0 while there are no packets; MUS_NONE: in no row */
 
     int32_t nspring, nhinge, npair;
     mus__spring *spring;
@@ -79,8 +79,9 @@ typedef struct mus__program {
     double seam_pull;  /* tension of the pairs now [N per m of seam] */
 } mus__program;
 
-/* make the program of a cloth with open seams, for numbers of `real` bytes. Frees nothing on failure: the caller calls
- * mus__program_clear. Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT (a lattice node with more than 20 neighbours) */
+/* make the program of a cloth with open seams, for numbers of `real` bytes; the irregular part is left to the first
+ * mus__program_weld. Frees nothing on failure: the caller calls mus__program_clear. Errors: MUS_ERR_MEMORY,
+ * MUS_ERR_LIMIT (a lattice node with more than 20 neighbours) */
 mus_status mus__program_build(mus_context *context, const mus_cloth *cloth, size_t real, mus__program *program);
 void mus__program_clear(mus_context *context, mus__program *program);
 /* make room for `need` tacks and keep those that there are. Errors: MUS_ERR_MEMORY, MUS_ERR_LIMIT; the program is as it

@@ -65,13 +65,20 @@ static void irregular_open(int32_t *start, int32_t n)
 }
 
 
+/* nonzero for a node of a lattice row */
+static int32_t irregular_inside(const mus__program *program, int32_t node)
+{
+    return program->packet_of[node] >= 0;
+}
+
+
 /* whether the pull of a spring on `node` belongs in the lists: of lattice items (pass 1), or of items that no packet
  * holds (pass 2). Tacks are put in after the packets were made */
 static int32_t irregular_wants_spring(const mus__program *program, int32_t lattice, int32_t kind, int32_t node,
                                       int32_t other)
 {
     if (kind == MUS__SPRING_TACK) return !lattice;
-    const int32_t between = program->lattice[node] && program->lattice[other];
+    const int32_t between = irregular_inside(program, node) && irregular_inside(program, other);
     if (lattice || !between) return lattice == between;
     const int32_t slot = mus__program_stencil_slot(program, node, other);
     return slot == MUS_NONE || slot >= MUS__NEAR_SLOTS_MAX;
@@ -82,13 +89,14 @@ static int32_t irregular_wants_spring(const mus__program *program, int32_t latti
 static uint32_t irregular_wants_hinge(const mus__program *program, int32_t lattice, const mus__hinge *hinge)
 {
     const int32_t *node = hinge->node;
-    int32_t border = 0;
+    int32_t border = 0, outside = MUS_NONE; /* the border node, if it is one */
     uint32_t wanted = 0;
-    for (int32_t k = 0; k < 4; k++) border += !program->lattice[node[k]];
+    for (int32_t k = 0; k < 4; k++)
+        if (!irregular_inside(program, node[k])) border++, outside = node[k];
     if (lattice && border >= 2) return 0;
     for (int32_t k = 0; k < 16; k++) {
         const int32_t i = node[k / 4], j = node[k % 4];
-        const int32_t between = border < 2 && program->lattice[i] && program->lattice[j];
+        const int32_t between = border < 2 && i != outside && j != outside;
         if (i == j || (lattice && !between)) continue;
         if (lattice || !between || mus__program_stencil_slot(program, i, j) == MUS_NONE) wanted |= 1U << k;
     }

@@ -15,12 +15,11 @@
 #include "sim/force_program_constants.h"
 #include "sim/force_program_parts.h"
 
-#define ITEMS_MOST                                                                                                     \
-    40 /* half springs, and index differences of bending, at one node; a lattice has at most 12 and 24                 \
-        */
+/* half springs, and index differences of bending, at one node; a lattice has at most 12 and 24 */
+#define ITEMS_MOST 40
 
-typedef struct stencil_items { /* of one node */
-    int32_t nspring, nlinear;
+typedef struct stencil_items { /* of a node, and of those after it in its row up to `until` */
+    int32_t nspring, nlinear, until;
     int32_t spring_at[ITEMS_MOST], linear_at[ITEMS_MOST]; /* index differences */
     double k[ITEMS_MOST], krest[ITEMS_MOST], c[ITEMS_MOST], w[ITEMS_MOST];
 } stencil_items;
@@ -59,14 +58,25 @@ static void stencil_linear(stencil_items *items, int32_t at, double w)
 }
 
 
+/* whether nodes first .. first+count-1 of a run hold `node`; *until falls to the node at which that changes */
+static int32_t stencil_inside(int32_t first, int32_t count, int32_t node, int32_t *until)
+{
+    const int32_t inside = node >= first, change = inside ? first + count : first;
+    if (change <= node) return 0;
+    if (change < *until) *until = change;
+    return inside;
+}
+
+
 /* collects all items of a node of a row; returns 0 when there are more than a packet can take */
 static int32_t stencil_collect(const mus__program *program, const mus__program_row *row, int32_t node,
                                stencil_items *items)
 {
     items->nspring = items->nlinear = 0;
+    items->until = row->first + row->count;
     for (int32_t h = row->run; h < row->run + row->nrun; h++) {
         const mus__half_run *run = &program->half_run[h];
-        if (node < run->a || node >= run->a + run->count) continue;
+        if (!stencil_inside(run->a, run->count, node, &items->until)) continue;
         const int32_t i = items->nspring++;
         if (i == ITEMS_MOST) return 0;
         items->spring_at[i] = run->b - run->a;
@@ -74,7 +84,7 @@ static int32_t stencil_collect(const mus__program *program, const mus__program_r
     }
     for (int32_t h = row->bend; h < row->bend + row->nbend; h++) {
         const mus__half_bend *bend = &program->half_bend[h];
-        if (node < bend->o || node >= bend->o + bend->count) continue;
+        if (!stencil_inside(bend->o, bend->count, node, &items->until)) continue;
         if (items->nlinear + 3 > ITEMS_MOST) return 0;
         stencil_linear(items, bend->a - bend->o, bend->w);
         stencil_linear(items, bend->b - bend->o, -2.0 * bend->w);
@@ -242,9 +252,9 @@ static int32_t stencil_intern(mus_context *context, const stencil_store *store, 
 }
 
 
-/* writes the packet of nodes first .. first+count-1 */
+/* writes the packet of nodes first .. first+count-1, each with its items */
 static mus_status stencil_write(const stencil_walk *walk, const stencil_set *set, int32_t first, int32_t count,
-                                const stencil_items *items)
+                                const stencil_items *const *items)
 {
     mus__program *program = walk->program;
     mus__packet_shape shape = {{0}, {0}};
@@ -253,8 +263,9 @@ static mus_status stencil_write(const stencil_walk *walk, const stencil_set *set
     memcpy(shape.near, set->near, (size_t)set->nnear * sizeof *shape.near);
     const int32_t nfar = stencil_far(set, shape.far), size = mus__program_table_size(program);
     for (int32_t i = 0; i < count; i++) {
-        stencil_lane(program, &shape, set->nnear, nfar, &items[i], value + i);
+        stencil_lane(program, &shape, set->nnear, nfar, items[i], value + i);
         stencil_irregular(program, &shape, set->nnear, nfar, first + i, value + i);
+        program->packet_of[first + i] = program->npacket;
     }
     const int32_t krest = program->near * MUS__LANES;
     for (int32_t i = 0; i < krest; i++) value[krest + i] *= mus__program_rest_factor(program);
@@ -294,20 +305,22 @@ static void stencil_chunk(const stencil_walk *walk, int32_t first, int32_t count
 static int32_t stencil_step(const stencil_walk *walk, int32_t first, int32_t *row, mus_status *status)
 {
     mus__program *program = walk->program;
-    stencil_items items[MUS__LANES];
+    stencil_items store[MUS__LANES], *last = store;
+    const stencil_items *items[MUS__LANES];
     stencil_set set = {.most = walk->most};
     int32_t count = 0, r = *row;
-    while (count < MUS__LANES) {
+    for (int32_t until = first; count < MUS__LANES; items[count++] = last) {
+        if (first + count < until) continue;
         while (r < program->nrow && program->row[r].first + program->row[r].count <= first + count) r++;
         if (r == program->nrow || program->row[r].first > first + count) break;
-        if (!stencil_collect(program, &program->row[r], first + count, &items[count]) ||
-            !stencil_grow(&set, &items[count])) {
+        last = &store[count];
+        if (!stencil_collect(program, &program->row[r], first + count, last) || !stencil_grow(&set, last)) {
             if (count > 0) break;
             *status = mus__fail(walk->context, MUS_ERR_LIMIT, "drape: node %d has more than %d lattice neighbours",
                                 (int)first, walk->most + MUS__SLOTS);
             return 0;
         }
-        count++;
+        until = last->until;
         *row = r;
     }
 
@@ -385,15 +398,7 @@ mus_status mus__program_stencil(mus_context *context, const mus_cloth *cloth, mu
 
 int32_t mus__program_stencil_slot(const mus__program *program, int32_t node, int32_t other)
 {
-    int32_t low = 0, high = program->npacket - 1;
-    while (low < high) {
-        const int32_t middle = (low + high + 1) / 2;
-        if (program->packet[middle].first <= node)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    const mus__packet_shape *shape = &program->shape[program->packet[low].shape];
+    const mus__packet_shape *shape = &program->shape[program->packet[program->packet_of[node]].shape];
     const int32_t near = stencil_find(shape->near, MUS__NEAR_SLOTS_MAX, other - node);
     if (near != MUS_NONE) return near;
     const int32_t far = stencil_find(shape->far, MUS__SLOTS, other - node);

@@ -54,8 +54,8 @@ typedef struct mus_drape_def {
     int32_t sew_once;     /* nonzero: sewing gives up when its first try does not close the coarsest cut, for a
                            * caller that has another start; 0 (default): it goes on with straight pulls and finer
                            * cuts */
-    double progress_seconds; /* wall time between two calls of a progress function at least [s], default 0.1; 0: it is
-                              * called at each check of the run */
+    double progress_seconds; /* wall time between two calls of a progress function at least [s], default 0.1, looked
+                              * at every few steps; 0: it is called at each check of the run alone */
 } mus_drape_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_drape_def) of the caller. */

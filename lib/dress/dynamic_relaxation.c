@@ -16,6 +16,7 @@
 #include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 
+#define ASK_STEPS 4 /* steps between two looks at the clock, which take a hundredth of their time at most */
 #define TENSOR_STEPS 128 /* steps between two takings of the inertia tensors; chosen: 5 to 10 % of the time */
 
 
@@ -82,31 +83,35 @@ mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, doubl
 
 
 /* `steps` steps of h [s], each of which is added to mean unless that is NULL; the tensors, if the sim has them, are
- * taken anew on the way */
-static void run_steps(mus_drape *drape, double h, int32_t steps, double *mean)
+ * taken anew on the way. Returns the number taken: fewer where the function of the run stops it */
+static int32_t run_steps(mus_drape *drape, mus__progress *run, double h, int32_t steps, double *mean)
 {
     mus__sim *sim = &drape->sim;
     for (int32_t i = 0; i < steps; i++) {
+        if (run != NULL && i > 0 && i % ASK_STEPS == 0) mus__progress_ask(run, drape);
+        if (run != NULL && run->stop) return i;
         if (sim->tensor != NULL && i % TENSOR_STEPS == 0) mus__drape_tensors(drape);
         sim->ops->euler(sim, h);
         if (mean != NULL) sim->ops->add(sim, mean);
     }
+    return steps;
 }
 
 
-mus_status mus__relax_run(mus_drape *drape, double h, int32_t steps, int32_t averaged)
+mus_status mus__relax_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps, int32_t averaged)
 {
     mus__sim *sim = &drape->sim;
     const int64_t n3 = 3 * (int64_t)drape->n;
-    run_steps(drape, h, steps - averaged, NULL);
-    if (averaged > 0) {
+    const int32_t asked = *steps, before = asked - averaged;
+    *steps = run_steps(drape, run, h, before, NULL);
+    if (averaged > 0 && *steps == before) {
         double *mean = drape->relax.mean;
         memset(mean, 0, (size_t)n3 * sizeof *mean);
         mus__drape_self_forget(drape);
-        run_steps(drape, h, averaged, mean);
+        *steps += run_steps(drape, run, h, averaged, mean);
         for (int64_t k = 0; k < n3; k++) mean[k] = mean[k] / averaged + sim->origin[k % 3];
-        sim->ops->get(sim, drape->x, drape->v);
     }
+    if (averaged > 0) sim->ops->get(sim, drape->x, drape->v);
     sim->tensor = NULL;
     const mus_status status = mus__drape_keep_good(drape);
     return status == MUS_OK ? mus__drape_self_fits(drape) : status;

@@ -29,9 +29,11 @@ typedef struct mus__relax_rule {
 double mus__relax_step(mus_drape *drape, double safety, double least);
 /* before a batch of steps of h [s]: set the rule, and find the pairs of self-contact. Errors: MUS_ERR_MEMORY */
 mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, double h);
-/* `steps` steps of h [s]; relax.mean gets the mean place of the last `averaged` of them (0: nothing is averaged). The
- * caller notes them on the clock. Errors: MUS_ERR_DIVERGED (the last good state is restored), MUS_ERR_LIMIT */
-mus_status mus__relax_run(mus_drape *drape, double h, int32_t steps, int32_t averaged);
+/* `*steps` steps of h [s]; relax.mean gets the mean place of the last `averaged` of them (0: nothing is averaged). The
+ * caller notes them on the clock. With a run (NULL: none) its function is asked on the way; where it stops the run,
+ * *steps is the number that was taken, and nothing is averaged. Errors: MUS_ERR_DIVERGED (the last good state is
+ * restored), MUS_ERR_LIMIT */
+mus_status mus__relax_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps, int32_t averaged);
 
 /* memory of mean, before, left, anchor, inertia and tensor, kept until the drape is destroyed; give it back */
 mus_status mus__relax_create(mus_drape *drape);

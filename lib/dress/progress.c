@@ -35,6 +35,7 @@ mus_status mus__progress_start(mus__progress *run, const mus_drape *drape, const
 
 void mus__progress_report(mus__progress *run, const mus_drape *drape, double share)
 {
+    run->share = share;
     if (run->progress == NULL) return;
     const double now = mus__progress_time();
     if (now < run->next_call) return;
@@ -49,6 +50,12 @@ void mus__progress_report(mus__progress *run, const mus_drape *drape, double sha
                                .positions = run->x,
                                .triangle = drape->cloth->triangle};
     run->stop = run->progress(run->user, &told);
+}
+
+
+void mus__progress_ask(mus__progress *run, const mus_drape *drape)
+{
+    if (run->period > 0.0) mus__progress_report(run, drape, run->share);
 }
 
 

@@ -13,6 +13,7 @@ typedef struct mus__progress {
     const char *phase;
     double period;    /* wall time between two calls at least [s] */
     double next_call; /* wall time of the next call [s] */
+    double share;     /* that was reported last */
     double *x, *v;    /* (n x 3) of the finest cut: positions that the function is told, scratch; NULL without one */
     int32_t stop;     /* nonzero: the caller's function asked to stop */
     int32_t slid;     /* nonzero: the garment slid off the body */
@@ -27,6 +28,8 @@ mus_status mus__progress_start(mus__progress *run, const mus_drape *drape, const
 /* call the caller's function when its period is over; `drape` is the cut that moves, `share` is 0 to 1. run->stop gets
  * the answer */
 void mus__progress_report(mus__progress *run, const mus_drape *drape, double share);
+/* the same between two reports, with the share of the last one; not with a period of 0, which means each report */
+void mus__progress_ask(mus__progress *run, const mus_drape *drape);
 /* end a run that returns `status`; `done`: the run had reached its end. Returns `status`, or MUS_ERR_STOPPED */
 mus_status mus__progress_end(mus__progress *run, const mus_drape *drape, mus_status status, bool done);
 

@@ -294,15 +294,19 @@ static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settl
     memcpy(rule.gravity, drape->def.gravity, sizeof rule.gravity);
     const double h = now->h = mus__relax_step(drape, now->safety, 0.0);
     const double most = now->tensors ? CHECK_STEPS_MOST * SAFETY_STEP / now->safety : 1e6;
-    const int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
+    int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
     const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;
-    status = mus__relax_run(drape, h, batch, (int32_t)mean);
+    status = mus__relax_run(drape, run, h, &batch, (int32_t)mean);
     if (status != MUS_OK) return status;
     mus__drape_tick(drape, batch, h, 1);
     *t += batch * h;
     drape->counters.settle_time += batch * h;
+    if (run->stop) {
+        drape->relax.residual = NAN; /* of a check, which this batch has not reached */
+        return MUS_OK;
+    }
     check_rest(drape, goal, *t, batch * h, now);
     run->slid = mus__slid_off(drape, drape->relax.mean, *t > LOOSE_SECONDS);
     return now->parted < PART_CHECKS && mus__drape_self_frozen(drape) > 0 ? free_frozen(drape, now) : MUS_OK;
@@ -322,7 +326,7 @@ static mus_status settle_here(mus_drape *drape, mus__progress *run, const settli
     for (double t = 0.0; t < goal->seconds && now.stuck < STUCK_CHECKS;) {
         if (drape->relax.settled || run->stop || run->slid) break;
         status = settle_batch(drape, run, goal, &t, &now);
-        if (status != MUS_OK) break;
+        if (status != MUS_OK || run->stop) break;
         mus__progress_report(run, drape, t / goal->seconds);
     }
     drape->sim.plane_cache = NULL;

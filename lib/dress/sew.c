@@ -175,7 +175,7 @@ static void share_attachments(mus_drape *drape, bool sewing)
 
 
 /* one batch of steps at time *t of the pull; *open gets the number of open pairs */
-static mus_status sew_batch(mus_drape *drape, const mus__progress *run, double *t, int32_t *open)
+static mus_status sew_batch(mus_drape *drape, mus__progress *run, double *t, int32_t *open)
 {
     static const mus__relax_rule rule = {.drag = SEW_DRAG, .speed_limit = SEW_SPEED, .grip = SEW_GRIP};
     const double all = drape->def.sew_seconds;
@@ -186,10 +186,11 @@ static mus_status sew_batch(mus_drape *drape, const mus__progress *run, double *
         let_pass(drape);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
-    status = mus__relax_run(drape, h, CHECK_STEPS, 0);
-    mus__drape_tick(drape, CHECK_STEPS, h, 1);
-    *t += CHECK_STEPS * h;
-    drape->counters.sew_time += CHECK_STEPS * h;
+    int32_t steps = CHECK_STEPS;
+    status = mus__relax_run(drape, run, h, &steps, 0);
+    mus__drape_tick(drape, steps, h, 1);
+    *t += steps * h;
+    drape->counters.sew_time += steps * h;
     *open = count_open(&drape->program);
     return status;
 }
@@ -211,6 +212,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
         mus__drape_publish(drape);
         if (way != SEW_STRAIGHT) mus__seam_route(drape, way == SEW_HUNG && t < RAMP_SECONDS, check++);
         status = sew_batch(drape, run, &t, &open);
+        if (run->stop) break;
         if (status == MUS_OK && !patient && lateness(t, all) > NEAR_LATE && near_closed(drape)) break;
         if (status == MUS_OK) mus__progress_report(run, drape, 1.0 - (double)open / pairs);
     }

@@ -136,8 +136,9 @@ static mus_status untangle_ease(mus_drape *drape)
     const double h = mus__relax_step(drape, UNTANGLE_SAFETY, 0.0);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
-    status = mus__relax_run(drape, h, UNTANGLE_STEPS, 0);
-    mus__drape_tick(drape, UNTANGLE_STEPS, h, 1);
+    int32_t steps = UNTANGLE_STEPS;
+    status = mus__relax_run(drape, NULL, h, &steps, 0);
+    mus__drape_tick(drape, steps, h, 1);
     mus__drape_publish(drape);
     return status;
 }

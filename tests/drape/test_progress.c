@@ -33,7 +33,7 @@ static int32_t watch(void *user, const mus_progress *told)
 }
 
 
-/* a skirt on W40 that reports at each check */
+/* a skirt on W40 that reports with a period [s] */
 static worn skirt_start(double progress_seconds)
 {
     worn w = worn_body("W40");
@@ -50,7 +50,8 @@ static worn skirt_start(double progress_seconds)
 
 START_TEST(a_run_that_is_watched_ends_in_the_same_state)
 {
-    worn plain = skirt_start(0.1), seen = skirt_start(0.0);
+    static const double periods[] = {0.0, 1e-9}; /* at each check, every few steps */
+    worn plain = skirt_start(0.1), seen = skirt_start(periods[_i]);
     watcher w = {.good = true};
     ck_assert_int_eq(mus_drape_sew(plain.drape, NULL, NULL), MUS_OK);
     ck_assert_int_eq(mus_drape_settle(plain.drape, NULL, NULL), MUS_OK);
@@ -64,6 +65,28 @@ START_TEST(a_run_that_is_watched_ends_in_the_same_state)
     ck_assert_uint_eq(mus_drape_hash(seen.drape), mus_drape_hash(plain.drape));
     worn_end(&plain);
     worn_end(&seen);
+}
+END_TEST
+
+
+/* the clock is looked at within a batch, which is 64 steps and more */
+START_TEST(a_settle_stops_after_four_steps)
+{
+    worn w = skirt_start(1e-9);
+    mus_drape_report before, after;
+    watcher seen = {.good = true, .stop_after = 1};
+    mus_drape_report_init(&before, sizeof before);
+    mus_drape_report_init(&after, sizeof after);
+    ck_assert_int_eq(mus_drape_sew(w.drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_report_get(w.drape, &before), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(w.drape, watch, &seen), MUS_ERR_STOPPED);
+    ck_assert_int_eq(seen.calls, 1);
+    ck_assert_int_eq(mus_drape_report_get(w.drape, &after), MUS_OK);
+    ck_assert_int_eq(after.steps - before.steps, 4);
+    ck_assert_double_ge(after.residual, 0.0);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_OK);
+    worn_end(&w);
 }
 END_TEST
 
@@ -122,7 +145,8 @@ Suite *mus_suite_progress(void)
     Suite *suite = suite_create("progress");
     TCase *tests = tcase_create("progress");
     tcase_set_timeout(tests, 60.0);
-    tcase_add_test(tests, a_run_that_is_watched_ends_in_the_same_state);
+    tcase_add_loop_test(tests, a_run_that_is_watched_ends_in_the_same_state, 0, 2);
+    tcase_add_test(tests, a_settle_stops_after_four_steps);
     tcase_add_test(tests, a_long_period_is_kept);
     tcase_add_test(tests, a_stopped_run_says_so_and_goes_on_when_called_again);
     tcase_add_test(tests, without_memory_for_positions_nothing_has_begun);

@@ -71,6 +71,7 @@ function wish(to, fine) {
         call: "dress",
         id,
         fine,
+        at: performance.timeOrigin + performance.now(),
         pause: DRAWN * view.frame,
         design: state.design,
         fabric: state.fabric,

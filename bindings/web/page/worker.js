@@ -4,11 +4,13 @@ import { sketch } from "./sketch.js";
 
 const STOPPED = 19; // MUS_ERR_STOPPED
 const HAND = 30; // a moving hand gives the next value within so many milliseconds of a picture
-// run of settling [ms] while a hand may still move; each later one has twice the time of the one before
-const SLICE = 5;
-// wishes in a row at most that are shown and not settled: a dragged slider is followed at once, the cloth comes after
-const SKIPS = 2;
+// run of settling [ms] while a hand may still move: each later one has twice the time of the one before
+const SLICE = 40;
 const FINE_SLICE = 640; // the same of the fine worker, whose runs begin anew
+// wishes in a row at most that are shown and not settled: a dragged slider is followed at once, the cloth comes after.
+// The next one is settled until its successor is due, for FOLLOW ms at least
+const SKIPS = 2,
+    FOLLOW = 5;
 // the body that is shown, by samples of a ring and distance of rings [m]: while a hand moves, without fingers and toes,
 // and when it rests. The cloth lies on the same body in both
 const SKIN = { samples: 16, spacing: 0.04, plain: 1 },
@@ -23,6 +25,7 @@ let room,
     busy = false,
     dressed = "",
     shape = "",
+    given = 0, // when the last wish was given, since 1970 [ms]
     skipped = 0; // wishes in a row that were shown and not settled, since a newer one was there
 
 function meshes(told, body) {
@@ -40,12 +43,13 @@ function tapeOf(person) {
     for (const [name, value] of Object.entries(person.measures)) room.measure(name, value);
 }
 
-// Settle in runs, between which the newest wish is looked for. A coarse drape is shown after a run when `pause` ms have
-// passed since it was shown last. STOPPED when there is a newer wish, else the status.
-async function settle(told, pause) {
+// Settle in runs, between which the newest wish is looked for; after the first, of `first` ms, a newer wish is waited for.
+// A coarse drape is shown after a run when `pause` ms have passed since it was shown last. STOPPED when there is a newer
+// wish, else the status.
+async function settle(told, pause, first) {
     const start = performance.now();
     let seen = start;
-    for (let budget = told.fine ? FINE_SLICE : SLICE; ; ) {
+    for (let budget = first || (told.fine ? FINE_SLICE : SLICE); ; ) {
         const end = performance.now() + budget;
         room.onProgress = () => (performance.now() > end ? 1 : 0);
         const status = room.settle();
@@ -55,15 +59,17 @@ async function settle(told, pause) {
             meshes({ ...told, rest: false }, false);
             seen = performance.now();
         }
-        await turn();
-        if (wish !== null) return STOPPED;
-        if (told.fine || performance.now() - start > HAND) budget *= 2;
+        if (first ? await wished(HAND) : (await turn(), wish !== null)) return STOPPED;
+        budget = first ? SLICE : 2 * budget;
+        first = 0;
     }
 }
 
 async function dress(asked) {
     const start = performance.now();
     const told = { kind: "dressed", id: asked.id, fine: asked.fine };
+    const due = 2 * asked.at - given; // the next wish, if the hand keeps its time
+    given = asked.at;
     const person = JSON.stringify([asked.person, asked.pose]);
     const newBody = person !== shape || asked.fine;
     tapeOf(asked.person);
@@ -75,15 +81,17 @@ async function dress(asked) {
     const kind = `${asked.design} ${asked.pose}`;
     let status = kind === dressed ? room.warm(spacing, asked.fabric) : 1;
     if (status === 0) {
+        let first = 0;
         if (!asked.fine) {
             meshes({ ...told, rest: false }, newBody);
-            if (skipped < SKIPS && (await wished(HAND))) {
+            if (skipped === SKIPS) first = Math.max(FOLLOW, due - performance.timeOrigin - performance.now());
+            else if (await wished(HAND)) {
                 skipped++;
                 return;
             }
         }
         skipped = 0;
-        status = await settle(told, asked.pause);
+        status = await settle(told, asked.pause, first);
         if (status === STOPPED) return;
     } else {
         room.onProgress = (phase, share) => {

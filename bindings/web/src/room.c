@@ -301,7 +301,7 @@ int32_t EXPORT(room_warm)(double spacing, int32_t index)
     if (drape == NULL) return MUS_ERR_STATE;
     mus_cloth_def_init(&def, sizeof def);
     mus_drape_def_init(&how, sizeof how);
-    how.progress_seconds = 0.01; /* [s] the host asks often whether it still wants this drape */
+    how.progress_seconds = 0.002; /* [s] the host asks often whether it still wants this drape */
     def.spacing = spacing;
     def.coarser = 0; /* it settles from where it is */
     if (index >= 0) def.fabric = fabric_of(index, &fabric);

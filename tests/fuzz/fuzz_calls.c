@@ -66,7 +66,7 @@ static mus_status edit(mus_pattern *p, fuzz_input *in)
     case 10: return mus_pattern_remove_panel(p, panel);
     case 11: return mus_pattern_remove_seam(p, seam);
     case 12: return mus_pattern_spread(p, a, s, b, s, t, t);
-    case 13: return mus_pattern_flare(p, a, b, (int32_t)(s * 20.0), t);
+    case 13: return mus_pattern_flare(p, a, b, (int32_t)(20.0 * fmin(fmax(s, -1e6), 1e6)), t);
     case 14: return mus_pattern_pleat(p, a, s, b, s, t, t);
     case 15: return mus_pattern_move_point(p, fuzz_below(in, mus_pattern_point_count(p)), at[0], at[1]);
     case 16: return mus_pattern_split_edge(p, a, s, NULL, NULL);

@@ -16,7 +16,7 @@
 #include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
 
-#define ASK_STEPS 4 /* steps between two looks at the clock, which take a hundredth of their time at most */
+#define ASK_STEPS 4      /* steps between two looks at the clock, which take a hundredth of their time at most */
 #define TENSOR_STEPS 128 /* steps between two takings of the inertia tensors; chosen: 5 to 10 % of the time */
 
 

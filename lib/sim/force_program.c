@@ -202,7 +202,7 @@ void mus__program_clear(mus_context *context, mus__program *program)
                       program->table,        program->chunk,          program->irregular_node,
                       program->half_start,   program->half_other,     program->half_constant,
                       program->linear_start, program->linear_other,   program->linear_weight,
-                      program->pair_end,     program->packet_of,        program->attachment,
+                      program->pair_end,     program->packet_of,      program->attachment,
                       program->tack,         program->slider,         program->clamp,
                       program->cell};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);

@@ -32,8 +32,8 @@ int32_t mus__piece_runs(const mus__piece *piece, double *runs)
     for (int32_t l = 0; l < piece->cut.nloop; l++) {
         const int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
         for (int32_t first = start; first < end; first += MUS__RUN, n++) {
-            double *run = runs + 4 * n;
             if (runs == NULL) continue;
+            double *run = runs + 4 * n;
             run[0] = run[1] = HUGE_VAL, run[2] = run[3] = -HUGE_VAL;
             for (int32_t i = first; i <= end && i <= first + MUS__RUN; i++) {
                 const double *p = piece->cut.xy + 2 * (i < end ? i : start);

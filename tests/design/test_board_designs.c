@@ -33,6 +33,7 @@ Suite *mus_suite_board_designs(void)
 {
     Suite *suite = suite_create("board_designs");
     TCase *tcase = tcase_create("board_designs");
+    tcase_set_timeout(tcase, 60.0);
     tcase_add_test(tcase, every_design_read_and_written_is_the_same);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -10,6 +10,7 @@
  *        |  |\  |  |  /|       the top for which one of its spans, moved down by y, meets a span of the strip. y starts
  *        |  | '-|--|-' |       at 0 and is raised over each span that it meets, until none is met.
  *
+ * The cost of a shape is that of its chords times the slabs that each comes near.
  * Source: Chazelle, The bottom-left bin-packing heuristic, 1983; spans in slabs as in Bennell and Oliveira, The
  * geometry of nesting problems, 2008, section 2.1 (raster method).
  */
@@ -59,27 +60,110 @@ static bool shape_clip(const double *a, const double *b, double left, double rig
 }
 
 
-/* add the parts where the upright line at x runs inside the loops: between odd and even crossings. Crossings are
- * found one after the other from below, since a line meets few chords */
-static void shape_chords(mus__shape *shape, int32_t first, const mus__loops *loops, double x)
+/* chords of outlines by the slabs that they come near, so that a slab looks at its own alone */
+typedef struct shape_near {
+    const double *(*ends)[2]; /* (chords) */
+    int32_t *outline;         /* (chords) */
+    int32_t *start;           /* (slabs + 1) */
+    int32_t *chords;          /* (start[slabs]) ascending in each slab */
+} shape_near;
+
+
+static void near_free(mus_context *context, shape_near *near)
+{
+    mus__print_free(context, near->ends);
+    mus__print_free(context, near->outline);
+    mus__print_free(context, near->start);
+    mus__print_free(context, near->chords);
+}
+
+
+/* the first and the last slab that a chord may meet, one more on both sides for rounding; `left` is the left end of the
+ * outline, and slabs are grown by the gap */
+static void near_slabs(const mus__shape *shape, const double *const *ends, double left, double gap, int32_t *out)
+{
+    const double a = ends[0][0] - left, b = ends[1][0] - left;
+    const double low = floor((a < b ? a : b) / shape->slab) - 2.0;
+    const double high = floor(((a < b ? b : a) + gap) / shape->slab) + 1.0;
+    out[0] = low > 0.0 ? (int32_t)low : 0;
+    out[1] = high < shape->nslab - 1 ? (int32_t)high : shape->nslab - 1;
+}
+
+
+/* list the `points` chords of the outlines by slab; freed by the caller, also after a failure */
+static mus_status near_make(mus_context *context, const mus__shape *shape, int32_t nloops,
+                            const mus__loops *const *loops, int64_t points, double left, double gap, shape_near *near)
+{
+    int32_t n = 0, span[2];
+    int64_t listed = 0;
+    near->ends = mus__print_new(context, points, sizeof *near->ends);
+    near->outline = mus__print_new(context, points, sizeof *near->outline);
+    near->start = mus__print_new(context, (int64_t)shape->nslab + 1, sizeof *near->start);
+    if (near->ends == NULL || near->outline == NULL || near->start == NULL)
+        return mus__print_memory(context, "the chords of a piece");
+    memset(near->start, 0, ((size_t)shape->nslab + 1) * sizeof *near->start);
+    for (int32_t k = 0; k < nloops; k++) {
+        const mus__loops *l = loops[k];
+        for (int32_t m = 0; m < l->nloop; m++) {
+            for (int32_t i = l->start[m]; i < l->start[m + 1]; i++, n++) {
+                near->ends[n][0] = l->xy + 2 * i;
+                near->ends[n][1] = l->xy + 2 * (i + 1 < l->start[m + 1] ? i + 1 : l->start[m]);
+                near->outline[n] = k;
+                near_slabs(shape, near->ends[n], left, gap, span);
+                listed += span[1] - span[0] + 1;
+                if (listed > INT32_MAX) return mus__print_memory(context, "the chords of a piece");
+                for (int32_t s = span[0]; s <= span[1]; s++) near->start[s]++;
+            }
+        }
+    }
+    near->chords = mus__print_new(context, listed, sizeof *near->chords);
+    if (near->chords == NULL) return mus__print_memory(context, "the chords of a piece");
+    for (int32_t s = 0; s < shape->nslab; s++) near->start[s + 1] += near->start[s];
+    /* from the last chord on: each start comes down from the end of its slab */
+    while (n-- > 0) {
+        near_slabs(shape, near->ends[n], left, gap, span);
+        for (int32_t s = span[0]; s <= span[1]; s++) near->chords[--near->start[s]] = n;
+    }
+    return MUS_OK;
+}
+
+
+/* add the parts where the upright line at x runs inside an outline, n of whose chords may meet it: between odd and even
+ * crossings. Crossings are found one after the other from below, since a line meets few chords */
+static void shape_chords(mus__shape *shape, int32_t first, const shape_near *near, const int32_t *chords, int32_t n,
+                         double x)
 {
     double from = -HUGE_VAL;
     for (;;) {
         double pair[2] = {HUGE_VAL, HUGE_VAL};
-        for (int32_t l = 0; l < loops->nloop; l++) {
-            for (int32_t i = loops->start[l]; i < loops->start[l + 1]; i++) {
-                const double *a = loops->xy + 2 * i;
-                const double *b = loops->xy + 2 * (i + 1 < loops->start[l + 1] ? i + 1 : loops->start[l]);
-                if ((a[0] > x) == (b[0] > x)) continue;
-                const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
-                if (y <= from) continue;
-                if (y < pair[0]) pair[1] = pair[0], pair[0] = y;
-                else if (y < pair[1]) pair[1] = y;
-            }
+        for (int32_t i = 0; i < n; i++) {
+            const double *a = near->ends[chords[i]][0], *b = near->ends[chords[i]][1];
+            if ((a[0] > x) == (b[0] > x)) continue;
+            const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+            if (y <= from) continue;
+            if (y < pair[0]) pair[1] = pair[0], pair[0] = y;
+            else if (y < pair[1]) pair[1] = y;
         }
         if (!(pair[1] < HUGE_VAL)) return;
         shape_span(shape, first, pair[0], pair[1]);
         from = pair[1];
+    }
+}
+
+
+/* add the spans of the slab that holds the points between `left` and `right`: its n chords, outline after outline */
+static void shape_slab_spans(mus__shape *shape, const shape_near *near, const int32_t *chords, int32_t n, double left,
+                             double right)
+{
+    const int32_t first = shape->nspan;
+    for (int32_t i = 0, end = 0; i < n; i = end) {
+        while (end < n && near->outline[chords[end]] == near->outline[chords[i]]) {
+            double span[2];
+            const double *const *ends = near->ends[chords[end++]];
+            if (shape_clip(ends[0], ends[1], left, right, span)) shape_span(shape, first, span[0], span[1]);
+        }
+        shape_chords(shape, first, near, chords + i, end - i, left);
+        shape_chords(shape, first, near, chords + i, end - i, right);
     }
 }
 
@@ -100,25 +184,15 @@ mus_status mus__shape_make(mus_context *context, int32_t nloops, const mus__loop
     shape->start = mus__print_new(context, (int64_t)shape->nslab + 1, sizeof *shape->start);
     if (shape->start == NULL) return mus__print_memory(context, "the spans of a piece");
 
-    /* a slab of the grown outline holds the points between `left` and `right` */
-    for (int32_t s = 0; s < shape->nslab; s++) {
-        const double left = box[0] + s * slab - gap, right = box[0] + (s + 1) * slab;
-        const int32_t first = shape->start[s] = shape->nspan;
-        const mus_status status = mus__print_reserve(context, &shape->spans, &shape->room,
-                                                     2 * (shape->nspan + 3 * points + 2), sizeof *shape->spans);
-        if (status != MUS_OK) return status;
-        for (int32_t k = 0; k < nloops; k++) {
-            const mus__loops *l = loops[k];
-            for (int32_t m = 0; m < l->nloop; m++) {
-                for (int32_t i = l->start[m]; i < l->start[m + 1]; i++) {
-                    double span[2];
-                    const double *a = l->xy + 2 * i, *b = l->xy + 2 * (i + 1 < l->start[m + 1] ? i + 1 : l->start[m]);
-                    if (shape_clip(a, b, left, right, span)) shape_span(shape, first, span[0], span[1]);
-                }
-            }
-            shape_chords(shape, first, l, left);
-            shape_chords(shape, first, l, right);
-        }
+    shape_near near = {NULL, NULL, NULL, NULL};
+    mus_status status = near_make(context, shape, nloops, loops, points, box[0], gap, &near);
+    for (int32_t s = 0; s < shape->nslab && status == MUS_OK; s++) {
+        const int32_t first = shape->start[s] = shape->nspan, n = near.start[s + 1] - near.start[s];
+        status = mus__print_reserve(context, &shape->spans, &shape->room, 2 * (shape->nspan + 3 * (int64_t)n + 2),
+                                    sizeof *shape->spans);
+        if (status != MUS_OK) break;
+        shape_slab_spans(shape, &near, near.chords + near.start[s], n, box[0] + s * slab - gap,
+                         box[0] + (s + 1) * slab);
         for (int32_t i = first; i < shape->nspan; i++) {
             const double low = shape->spans[2 * i];
             shape->spans[2 * i] = box[3] - shape->spans[2 * i + 1];
@@ -126,7 +200,8 @@ mus_status mus__shape_make(mus_context *context, int32_t nloops, const mus__loop
         }
     }
     shape->start[shape->nslab] = shape->nspan;
-    return MUS_OK;
+    near_free(context, &near);
+    return status;
 }
 
 

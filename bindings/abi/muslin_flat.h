@@ -1201,6 +1201,8 @@ mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_pdf_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
+mus_status mus_pattern_write_instructions(const mus_pattern *pattern, const char *title, const char *path);
+mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes, size_t *size);
 void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);
 mus_status mus_sheet_write_dxf(const mus_sheet *sheet, const mus_sheet_dxf *def, const char *path);
 mus_status mus_sheet_write_dxf_bytes(const mus_sheet *sheet, const mus_sheet_dxf *def, char **bytes, size_t *size);

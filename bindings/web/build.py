@@ -22,7 +22,7 @@ import fetch  # noqa: E402
 ROOT = HERE.parents[1]
 BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
 OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
-LEFT_OUT = {"catalogue", "scan", "exchange", "meshfile", "trade", "seam", "valentina"}  # rooms of lib/
+LEFT_OUT = {"catalogue", "scan", "exchange", "sewing", "meshfile", "trade", "seam", "valentina"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
 FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them

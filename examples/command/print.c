@@ -83,7 +83,7 @@ int command_print(int argc, char **argv)
     source from = {0};
     const char *pdf = NULL, *svg = NULL, *paper = "a4";
     const char *asked = NULL;
-    const char *plt = NULL;
+    const char *plt = NULL, *instructions = NULL;
     bool cutter = false, fold = false;
     print_dxf dxf = {0};
     double allowance = -1.0;
@@ -93,6 +93,7 @@ int command_print(int argc, char **argv)
         SOURCE_TAPE(from),
         {"--pdf", OPTION_OUTPUT, &pdf, 0, 0, "FILE  write a tiled PDF at true scale"},
         {"--svg", OPTION_OUTPUT, &svg, 0, 0, "FILE  write one sheet as SVG with named groups"},
+        {"--instructions", OPTION_OUTPUT, &instructions, 0, 0, "FILE  write how it is sewn, step by step, as text"},
         {"--dxf", OPTION_OUTPUT, &dxf.dxf, 0, 0, "FILE  write the pieces as DXF R12 for cutters and CAD"},
         {"--rul", OPTION_OUTPUT, &dxf.rul, 0, 0, "FILE  write the grade rules of --sizes"},
         {"--dialect", OPTION_TEXT, &dxf.dialect, 0, 0, "NAME  of the DXF: astm (default) or aama"},
@@ -106,8 +107,9 @@ int command_print(int argc, char **argv)
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
-    if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL)
-        return complain(EXIT_INPUT, "print", "no output is given: --pdf FILE, --svg FILE, --dxf FILE or --plt FILE");
+    if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL && instructions == NULL)
+        return complain(EXIT_INPUT, "print",
+                        "no output is given: --pdf FILE, --svg FILE, --dxf FILE, --plt FILE or --instructions FILE");
     if (fold && (dxf.dxf != NULL || dxf.rul != NULL))
         return complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
     if (dxf.rul != NULL && dxf.sizes == NULL)
@@ -139,6 +141,8 @@ int command_print(int argc, char **argv)
         mus_sheet_plt_init(&plot, sizeof plot);
         plot.by_piece = cutter;
         if (status == MUS_OK && code == EXIT_DONE && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
+        if (status == MUS_OK && code == EXIT_DONE && instructions != NULL)
+            status = mus_pattern_write_instructions(s.pattern, def.title, instructions);
         if (status != MUS_OK) code = scene_fail_output(&s, status);
         if (code == EXIT_DONE) code = print_dxf_write(&s, &from, sheet, &def, &dxf);
     }

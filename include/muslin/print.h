@@ -155,6 +155,28 @@ MUS_API mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path)
 /** Write the sheet as SVG into memory. *bytes and errors: as mus_sheet_write_pdf_bytes() */
 MUS_API mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 
+/* ---- instructions ---- */
+
+/**
+ * Write how a pattern is sewn, as plain text: pieces, notions (buttons, zips, elastic), what is prepared, the steps.
+ *
+ * The order follows from the seams alone: darts and pleats, patches, seams, free edges, buttons. A seam that ends
+ * within another is sewn before it, and no ring (a sleeve, a leg) is closed while something can be sewn flat. A seam
+ * stands in one step, with its length, its notches and by how much one side is longer. What is the same left and right
+ * is told once. The text does not depend on the order of panels, edges and seams in the pattern, except for the list of
+ * pieces, which has theirs. `title` is the first line; NULL: the name of the pattern.
+ * Units:  cm and mm in the text, which is UTF-8 with a newline after each line
+ * Errors: MUS_ERR_ARG (pattern or path NULL), MUS_ERR_FILE, MUS_ERR_MEMORY. A failure leaves no half file; path "-"
+ *         writes to standard output
+ * Cost:   lines of stitching times seams and edges
+ */
+MUS_API mus_status mus_pattern_write_instructions(const mus_pattern *pattern, const char *title, const char *path);
+
+/** Write the instructions into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as
+ * mus_pattern_write_instructions() */
+MUS_API mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes,
+                                                        size_t *size);
+
 /* ---- DXF and RUL, for cutters and CAD of the trade ---- */
 
 #define MUS_DXF_AAMA 0 /* ANSI/AAMA-292: a notch is a line on layer 4 */

@@ -136,6 +136,8 @@
     X(mus_sheet_write_rul_bytes, nothing, (w->have.sheet, &w->rul, BYTES))                                             \
     X(mus_sheet_write_plt, nothing, (w->have.sheet, NULL, w->path))                                                    \
     X(mus_sheet_write_plt_bytes, nothing, (w->have.sheet, NULL, BYTES))                                                \
+    X(mus_pattern_write_instructions, nothing, (P, "title", w->path))                                                  \
+    X(mus_pattern_write_instructions_bytes, nothing, (P, NULL, BYTES))                                                 \
     X(mus_body_create_scan, mesh_of_body,                                                                              \
       (w->context, mus_mesh_vertex_count(w->have.mesh), mus_mesh_vertices(w->have.mesh),                               \
        mus_mesh_triangle_count(w->have.mesh), mus_mesh_triangles(w->have.mesh), &w->scan_def, NULL, &w->made.body))    \

@@ -218,6 +218,10 @@ void fuzz_print(const uint8_t *bytes, size_t size)
     mus_context *context = fuzz_context();
     mus_pattern *pattern = fuzz_pattern_of(context, bytes, size);
     mus_sheet *sheet = NULL;
+    char *told = NULL;
+    size_t told_length = 0;
+    if (pattern != NULL && mus_pattern_write_instructions_bytes(pattern, NULL, &told, &told_length) == MUS_OK)
+        mus_context_alloc(context, told, 0);
     if (pattern != NULL && mus_sheet_create(context, pattern, NULL, &sheet) == MUS_OK) {
         char *text = NULL;
         size_t length = 0;

@@ -408,6 +408,9 @@ def test_bytes_are_the_files_and_read_back(tmp_path):
         tape.complete()
     tape["bust"], tape["hip"] = 0.92, 1.4
     assert tape.complete() == tape.warnings and "hip of 140.0 cm does not fit" in tape.warnings[0]
+    pattern.write_instructions(tmp_path / "s.txt", "A T-shirt")
+    assert pattern.instructions("A T-shirt") == (tmp_path / "s.txt").read_text()
+    assert pattern.instructions().startswith("tshirt\n")
     sheet = muslin.Sheet(pattern)
     sheet.write_svg(tmp_path / "s.svg")
     assert sheet.svg_bytes() == (tmp_path / "s.svg").read_bytes()

@@ -1,0 +1,213 @@
+/*
+ * sewing_seams.c: the seams of a pattern with their kinds and words, sorted by the words.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/sort.h"
+#include "sewing/sewing.h"
+
+
+bool mus__sewing_inner(const mus_pattern *pattern, int32_t edge)
+{
+    int32_t n = 0, passed = 0;
+    const int32_t *edges;
+    if (mus_pattern_outline(pattern, mus_pattern_edge_panel(pattern, edge), &n, &edges, NULL) != MUS_OK) return false;
+    for (int32_t i = 0; i < n; i++) passed += edges[i] == edge;
+    return passed > 1;
+}
+
+
+static mus__sewing_kind seam_kind(const mus_pattern *pattern, const mus_seam_def *def)
+{
+    int32_t a[2], b[2];
+    if (def->closure == MUS_CLOSURE_BUTTONS) return MUS__SEWING_BUTTONS;
+    if (def->laid) return MUS__SEWING_DART;
+    if (mus__sewing_inner(pattern, def->edge_a) || mus__sewing_inner(pattern, def->edge_b)) return MUS__SEWING_PATCH;
+    if (def->closure != MUS_CLOSURE_NONE ||
+        mus_pattern_edge_panel(pattern, def->edge_a) != mus_pattern_edge_panel(pattern, def->edge_b))
+        return MUS__SEWING_SEAM;
+    /* the legs of a dart meet at its point */
+    mus_pattern_edge_ends(pattern, def->edge_a, &a[0], &a[1]);
+    mus_pattern_edge_ends(pattern, def->edge_b, &b[0], &b[1]);
+    return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1] ? MUS__SEWING_DART : MUS__SEWING_SEAM;
+}
+
+
+static int32_t seam_notches(const mus_pattern *pattern, int32_t edge)
+{
+    int32_t count = 0, own;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++)
+        count += mus_pattern_notch(pattern, i, &own, NULL, NULL) == MUS_OK && own == edge;
+    return count;
+}
+
+
+static int32_t seam_button_marks(const mus_pattern *pattern, int32_t panel)
+{
+    int32_t count = 0, own;
+    const char *name;
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++)
+        count += mus_pattern_mark(pattern, i, &own, &name, NULL, NULL) == MUS_OK && own == panel &&
+                 strcmp(name, "button") == 0;
+    return count;
+}
+
+
+/* number of buttons of a closure: of the seam, else the marks on the side that has more */
+static int32_t seam_buttons(const mus_pattern *pattern, const mus_seam_def *def)
+{
+    const int32_t a = seam_button_marks(pattern, mus_pattern_edge_panel(pattern, def->edge_a));
+    const int32_t b = seam_button_marks(pattern, mus_pattern_edge_panel(pattern, def->edge_b));
+    return def->closure != MUS_CLOSURE_BUTTONS ? 0 : def->buttons > 0 ? def->buttons : a > b ? a : b;
+}
+
+
+/* write the words of panel and edge, by which seams are sorted */
+static void seam_words(const mus_pattern *pattern, int32_t edge, bool sideless, char *out)
+{
+    char panel[MUS__WORDS], own[MUS__WORDS];
+    mus__sewing_words(mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, edge)), sideless, panel);
+    mus__sewing_words(mus_pattern_edge_name(pattern, edge), sideless, own);
+    snprintf(out, 2 * MUS__WORDS, "%s/%s", panel, own);
+}
+
+
+/* do the words of edge a come after those of edge b? Left and right decide last, so that twins have their sides alike
+ */
+static bool seam_after(const mus_pattern *pattern, int32_t a, int32_t b)
+{
+    int order = 0;
+    for (int32_t sideless = 1; sideless >= 0 && order == 0; sideless--) {
+        char first[2 * MUS__WORDS], second[2 * MUS__WORDS];
+        seam_words(pattern, a, sideless, first);
+        seam_words(pattern, b, sideless, second);
+        order = strcmp(first, second);
+    }
+    return order > 0;
+}
+
+
+static void seam_swap(int32_t *pair)
+{
+    const int32_t held = pair[0];
+    pair[0] = pair[1];
+    pair[1] = held;
+}
+
+
+static void seam_read(const mus_pattern *pattern, int32_t seam, mus__sewn *out)
+{
+    int32_t ends[2][2];
+    mus_seam_def def;
+    mus_seam_def_init(&def, sizeof def);
+    if (mus_pattern_seam(pattern, seam, &def) != MUS_OK) return;
+    out->seam = seam;
+    out->kind = seam_kind(pattern, &def);
+    out->edge[0] = def.edge_a;
+    out->edge[1] = def.edge_b;
+    if (out->kind == MUS__SEWING_PATCH ? mus__sewing_inner(pattern, def.edge_a)
+                                       : seam_after(pattern, def.edge_a, def.edge_b))
+        seam_swap(out->edge);
+    for (int32_t k = 0; k < 2; k++) {
+        out->panel[k] = mus_pattern_edge_panel(pattern, out->edge[k]);
+        out->length[k] = mus_pattern_edge_length(pattern, out->edge[k]);
+        mus_pattern_edge_ends(pattern, out->edge[k], &ends[k][0], &ends[k][1]);
+        seam_words(pattern, out->edge[k], true, out->words[k][0]);
+        seam_words(pattern, out->edge[k], false, out->words[k][1]);
+    }
+    if (def.direction == MUS_SEAM_REVERSED) seam_swap(ends[1]);
+    for (int32_t k = 0; k < 2; k++)
+        for (int32_t side = 0; side < 2; side++) out->point[k][side] = ends[side][k];
+    const int32_t a = seam_notches(pattern, out->edge[0]), b = seam_notches(pattern, out->edge[1]);
+    out->notches = a < b ? a : b;
+    out->tolerance = def.tolerance;
+    out->buttons = seam_buttons(pattern, &def);
+    out->zip = def.closure == MUS_CLOSURE_ZIP;
+    out->laid = def.laid != 0;
+}
+
+
+static int seam_compare(const void *a, const void *b)
+{
+    const mus__sewn *s = *(mus__sewn *const *)a, *t = *(mus__sewn *const *)b;
+    for (int32_t i = 0; i < 4; i++) {
+        const int order = strcmp(s->words[i % 2][i / 2], t->words[i % 2][i / 2]);
+        if (order != 0) return order;
+    }
+    return (s->length[0] > t->length[0]) - (s->length[0] < t->length[0]);
+}
+
+
+/* are two seams images of each other, left and right? */
+static bool seam_twins(const mus__sewn *s, const mus__sewn *t)
+{
+    return s->kind == t->kind && s->zip == t->zip && s->laid == t->laid &&
+           fabs(s->length[0] - t->length[0]) <= s->tolerance && strcmp(s->words[0][0], t->words[0][0]) == 0 &&
+           strcmp(s->words[1][0], t->words[1][0]) == 0;
+}
+
+
+/* write both sides in words; left and right are left out where all of the family are told together */
+static void seam_phrase(const mus_pattern *pattern, mus__sewn *sewn)
+{
+    char panel[2][MUS__WORDS], edge[2][MUS__WORDS], *out = sewn->phrase;
+    for (int32_t k = 0; k < 2; k++) {
+        mus__sewing_words(mus_pattern_panel_name(pattern, sewn->panel[k]), sewn->twins > 1, panel[k]);
+        mus__sewing_edge_words(pattern, sewn->edge[k], edge[k]);
+    }
+    if (sewn->kind == MUS__SEWING_DART)
+        snprintf(out, MUS__PHRASE, "%s", panel[0]);
+    else if (sewn->kind == MUS__SEWING_PATCH)
+        snprintf(out, MUS__PHRASE, "%s onto %s", panel[0], panel[1]);
+    else if (strcmp(panel[0], panel[1]) == 0)
+        snprintf(out, MUS__PHRASE, "%s: %s to %s", panel[0], edge[0], edge[1]);
+    else if (strcmp(edge[0], edge[1]) == 0)
+        snprintf(out, MUS__PHRASE, "%s to %s at the %s", panel[0], panel[1], edge[0]);
+    else
+        snprintf(out, MUS__PHRASE, "%s (%s) to %s (%s)", panel[0], edge[0], panel[1], edge[1]);
+}
+
+
+/* families: seams that are equal but for left and right stand together, by their words */
+static void seam_families(mus__sewing *sewing)
+{
+    mus__sewn **seams = sewing->by_words;
+    for (int32_t i = 0; i < sewing->n; i++) {
+        const bool twin = i > 0 && seam_twins(seams[seams[i - 1]->family], seams[i]);
+        seams[i]->family = twin ? seams[i - 1]->family : i;
+        seams[seams[i]->family]->twins++;
+    }
+    for (int32_t i = 0; i < sewing->n; i++) {
+        seams[i]->twins = seams[seams[i]->family]->twins;
+        seam_phrase(sewing->pattern, seams[i]);
+    }
+}
+
+
+mus_status mus__sewing_make(mus_context *context, const mus_pattern *pattern, mus__sewing *out)
+{
+    const int32_t n = mus_pattern_seam_count(pattern);
+    *out = (mus__sewing){.context = context, .pattern = pattern, .n = n};
+    out->sewn = mus__print_new(context, n, sizeof *out->sewn);
+    out->by_words = mus__print_new(context, n, sizeof *out->by_words);
+    out->steps = mus__print_new(context, n, sizeof *out->steps);
+    if (out->sewn == NULL || out->by_words == NULL || out->steps == NULL)
+        return mus__print_memory(context, "the order of sewing");
+    for (int32_t i = 0; i < n; i++) {
+        seam_read(pattern, i, &out->sewn[i]);
+        out->by_words[i] = &out->sewn[i];
+    }
+    mus__sort(out->by_words, (size_t)n, sizeof *out->by_words, seam_compare);
+    seam_families(out);
+    return MUS_OK;
+}
+
+
+void mus__sewing_free(mus__sewing *sewing)
+{
+    mus__print_free(sewing->context, sewing->steps);
+    mus__print_free(sewing->context, sewing->by_words);
+    mus__print_free(sewing->context, sewing->sewn);
+}

@@ -1,0 +1,385 @@
+/*
+ * sewing_text.c: the sheet of sewing instructions of a pattern, as text: pieces, notions, what is prepared, the steps.
+ *
+ * No garment is known here: names are the words of panels, edges and labels, and every sentence stands for a kind of
+ * step. Seams of a step that read alike (left and right, the parts between two darts) share a line, which adds up their
+ * lengths.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/sort.h"
+#include "print/piece.h"
+#include "sewing/sewing.h"
+
+
+void mus__tell_length(mus__sink *sink, double length)
+{
+    const long tenths = lround(1e3 * length);
+    mus__sink_print(sink, "%ld.%ld cm", tenths / 10, tenths % 10);
+}
+
+
+/* ---- lists ---- */
+
+void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel)
+{
+    mus__sewing_words(mus_pattern_panel_name(pattern, panel), true, job->list.words[job->list.n++]);
+}
+
+
+static int list_compare(const void *a, const void *b)
+{
+    return strcmp(a, b);
+}
+
+
+void mus__list_tell(mus__instructions *job)
+{
+    char(*words)[MUS__WORDS] = job->list.words;
+    mus__sort(words, (size_t)job->list.n, sizeof *words, list_compare);
+    for (int32_t i = 0, last = 0; i < job->list.n; i++) {
+        const size_t size = strlen(words[last]);
+        if (i > 0 && strncmp(words[i], words[last], size) == 0 &&
+            words[i][size + strspn(words[i] + size, " 0123456789")] == '\0')
+            continue;
+        mus__sink_print(&job->sink, "%s%s", i > 0 ? ", " : "", words[i]);
+        last = i;
+    }
+    job->list.n = 0;
+}
+
+
+/* write a step that says `head` and the list, unless the list is empty */
+static void tell_list_step(mus__instructions *job, const char *head, const char *tail)
+{
+    if (job->list.n == 0) return;
+    mus__sink_print(&job->sink, "%d. %s: ", (int)++job->number, head);
+    mus__list_tell(job);
+    mus__sink_print(&job->sink, ".%s\n", tail);
+}
+
+
+/* ---- panels ---- */
+
+int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t material)
+{
+    int32_t image = MUS_NONE, copies = 0;
+    mus_pattern_cut(pattern, panel, NULL, &image);
+    mus_pattern_material(pattern, image != MUS_NONE ? image : panel, material, &copies, NULL);
+    return copies;
+}
+
+
+bool mus__tell_printed(const mus_pattern *pattern, int32_t panel)
+{
+    int32_t image = MUS_NONE;
+    mus_pattern_cut(pattern, panel, NULL, &image);
+    return image == MUS_NONE;
+}
+
+
+static bool tell_mirrored(const mus_pattern *pattern, int32_t panel)
+{
+    int32_t mirrored = 0;
+    mus_pattern_material(pattern, panel, MUS_MATERIAL_MAIN, NULL, &mirrored);
+    return mirrored != 0 || !mus__tell_printed(pattern, panel);
+}
+
+
+bool mus__tell_double(const mus_pattern *pattern, int32_t panel)
+{
+    return mus__tell_copies(pattern, panel, MUS_MATERIAL_MAIN) > (tell_mirrored(pattern, panel) ? 2 : 1) ||
+           mus__tell_copies(pattern, panel, MUS_MATERIAL_LINING) > 0;
+}
+
+
+double mus__tell_longest(const mus_pattern *pattern, int32_t panel)
+{
+    double longest = 0.0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
+        if (mus_pattern_edge_panel(pattern, i) == panel) longest = fmax(longest, mus_pattern_edge_length(pattern, i));
+    return longest;
+}
+
+
+static void tell_pieces(mus__instructions *job)
+{
+    mus__sink_print(&job->sink, "\nPieces\n");
+    for (int32_t k = 0; k < 2; k++) {
+        const mus_pattern *pattern = k == 0 ? job->pattern : job->extra;
+        for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
+            char words[MUS__WORDS], cut[64];
+            mus__piece piece;
+            if (!mus__tell_printed(pattern, i)) continue;
+            memset(&piece, 0, sizeof piece);
+            for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) piece.copies[m] = mus__tell_copies(pattern, i, m);
+            piece.mirrored = tell_mirrored(pattern, i);
+            mus__sewing_words(mus_pattern_panel_name(pattern, i), piece.mirrored, words);
+            mus__piece_cut_text(&piece, cut, sizeof cut);
+            mus__sink_print(&job->sink, "- %s: c%s\n", words, cut + 1);
+        }
+    }
+}
+
+
+/* ---- notions ---- */
+
+/* write the head before the first notion */
+static mus__sink *notion(mus__instructions *job, bool *any)
+{
+    if (!*any) mus__sink_print(&job->sink, "\nNotions\n");
+    *any = true;
+    return &job->sink;
+}
+
+
+static void tell_notions(mus__instructions *job)
+{
+    bool any = false;
+    for (int32_t i = 0; i < job->sewing.n; i++) {
+        const mus__sewn *seam = job->sewing.by_words[i];
+        if (seam->buttons > 0) mus__sink_print(notion(job, &any), "- %d buttons\n", (int)seam->buttons);
+        if (!seam->zip) continue;
+        mus__sink_print(notion(job, &any), "- a zip of ");
+        mus__tell_length(&job->sink, seam->length[0]);
+        mus__sink_print(&job->sink, "\n");
+    }
+    for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
+        const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
+        if (count == 0) continue;
+        mus__sink_print(notion(job, &any), "- elastic, %d x ", (int)count);
+        mus__tell_length(&job->sink, mus__tell_longest(job->extra, i));
+        mus__sink_print(&job->sink, "\n");
+    }
+}
+
+
+/* ---- preparation ---- */
+
+bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *mark)
+{
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        int32_t own;
+        const char *name;
+        if (mus_pattern_mark(pattern, i, &own, &name, NULL, NULL) == MUS_OK && own == panel && strcmp(name, mark) == 0)
+            return true;
+    }
+    return false;
+}
+
+
+static void tell_preparation(mus__instructions *job)
+{
+    const int32_t panels = mus_pattern_panel_count(job->pattern), extras = mus_pattern_panel_count(job->extra);
+    mus__sink_print(&job->sink, "\nSewing, on the dashed lines, right sides together unless a step says otherwise\n");
+    for (int32_t i = 0; i < panels; i++)
+        if (mus__tell_copies(job->pattern, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->pattern, i);
+    for (int32_t i = 0; i < extras; i++)
+        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->extra, i);
+    tell_list_step(job, "Fuse the interfacing to", "");
+
+    for (int32_t i = 0; i < panels; i++)
+        if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
+    tell_list_step(job, "Two layers",
+                   " Sew the second layer, or the lining, to the first along the edges that no later "
+                   "step names, turn it inside, and fold its other edges in.");
+
+    for (int32_t i = 0; i < panels; i++)
+        if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
+    tell_list_step(job, "Fold the pleats along their lines and hold them within the allowance", "");
+
+    /* patches whose place is marked, each below its name */
+    for (int32_t k = 0; k < extras; k++) {
+        const char *mark = mus_pattern_panel_label(job->extra, k);
+        char words[MUS__WORDS], head[MUS__PHRASE];
+        for (int32_t i = 0; i < panels; i++)
+            if (mark[0] != '\0' && mus__tell_has_mark(job->pattern, i, mark)) mus__list_add(job, job->pattern, i);
+        mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
+        snprintf(head, sizeof head, "Hem the upper edge of the %s, turn the others in, and stitch it along its line on",
+                 words);
+        tell_list_step(job, head, "");
+    }
+    mus__tell_parts(job, false);
+}
+
+
+/* ---- steps ---- */
+
+/* seams of a step that read alike */
+typedef struct tell_group {
+    double length[2]; /* [m] of one side of the wearer */
+    int32_t count, notches;
+    bool twins; /* the same left and right */
+} tell_group;
+
+
+static bool group_same(const mus__sewn *a, const mus__sewn *b)
+{
+    return strcmp(a->phrase, b->phrase) == 0 && a->zip == b->zip && a->laid == b->laid &&
+           (a->kind != MUS__SEWING_DART || lround(1e3 * a->length[0]) == lround(1e3 * b->length[0]));
+}
+
+
+static int group_compare(const void *a, const void *b)
+{
+    const mus__sewn *s = *(mus__sewn *const *)a, *t = *(mus__sewn *const *)b;
+    const int order = s->step != t->step ? (s->step > t->step) - (s->step < t->step) : strcmp(s->phrase, t->phrase);
+    if (order != 0) return order;
+    const int zips = s->zip - t->zip, laid = s->laid - t->laid;
+    if (zips != 0 || laid != 0) return zips != 0 ? zips : laid;
+    return (s->length[0] > t->length[0]) - (s->length[0] < t->length[0]);
+}
+
+
+static tell_group group_add(mus__sewn *const *seams, int32_t count)
+{
+    tell_group group = {{0.0, 0.0}, count, 0, true};
+    for (int32_t i = 0; i < count; i++) {
+        for (int32_t k = 0; k < 2; k++) group.length[k] += seams[i]->length[k];
+        group.notches += seams[i]->notches;
+        group.twins = group.twins && seams[i]->twins == 2;
+    }
+    if (!group.twins) return group;
+    for (int32_t k = 0; k < 2; k++) group.length[k] /= 2.0;
+    group.notches /= 2;
+    group.count /= 2;
+    return group;
+}
+
+
+/* write how the longer side is brought to the length of the shorter one: a rib is stretched, else it is eased in */
+static void tell_ease(mus__instructions *job, const mus__sewn *seam, const tell_group *group)
+{
+    const double ease = group->length[0] - group->length[1];
+    const int32_t longer = ease > 0.0 ? 0 : 1, shorter = 1 - longer;
+    const bool rib = mus__tell_copies(job->pattern, seam->panel[shorter], MUS_MATERIAL_RIB) > 0;
+    const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
+    char words[MUS__WORDS];
+    if (fabs(ease) <= group->count * seam->tolerance || lround(1e3 * fabs(ease)) == 0) return;
+    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[rib ? shorter : longer]), true, words);
+    mus__sink_print(&job->sink, "; %s%s by %ld mm",
+                    rib      ? "stretch the "
+                    : pleats ? "the pleats shorten the "
+                             : "ease or gather the ",
+                    words, lround(1e3 * fabs(ease)));
+}
+
+
+/* write one line, of `count` seams that read alike */
+static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t count)
+{
+    const mus__sewn *seam = seams[0];
+    const tell_group group = group_add(seams, count);
+    mus__sink *sink = &job->sink;
+    mus__sink_print(sink, "   - %s%s", seam->zip ? "set in the zip: " : "", seam->phrase);
+    if (seam->kind == MUS__SEWING_DART) {
+        mus__sink_print(sink, ": %d %s%s of ", (int)group.count, seam->laid ? "pleat" : "dart",
+                        group.count == 1 ? "" : "s");
+        mus__tell_length(sink, seam->length[0]);
+    } else {
+        mus__sink_print(sink, ", ");
+        mus__tell_length(sink, fmax(group.length[0], group.length[1]));
+        if (group.notches > 0)
+            mus__sink_print(sink, ", %d notch%s", (int)group.notches, group.notches == 1 ? "" : "es");
+        if (seam->buttons > 0) mus__sink_print(sink, ", %d buttons", (int)seam->buttons);
+        tell_ease(job, seam, &group);
+    }
+    mus__sink_print(sink, "%s\n", group.twins ? "; left and right alike" : "");
+}
+
+
+/* write what a step is called, by what it does to the work */
+static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool pleats, bool several)
+{
+    static const char *const heads[] = {"Sew the darts", "Turn the edges in, lay on and stitch round", NULL,
+                                        "Work the buttonholes and sew on the buttons"};
+    const char *head = step->rings <= 0 ? "Sew flat" : step->joins > 0 ? "Sew" : "Close";
+    if (step->kind != MUS__SEWING_SEAM) head = heads[step->kind];
+    mus__sink_print(&job->sink, "%d. %s%s:\n", (int)++job->number, head,
+                    pleats                                      ? " and fold the pleats"
+                    : several && step->kind == MUS__SEWING_SEAM ? ", in one go"
+                                                                : "");
+}
+
+
+/* write the steps of `seams`, sorted by step and phrase: the buttons, or all others */
+static void tell_steps(mus__instructions *job, mus__sewn *const *seams, bool buttons)
+{
+    const int32_t n = job->sewing.n;
+    for (int32_t i = 0, end; i < n; i = end) {
+        bool pleats = false;
+        for (end = i; end < n && seams[end]->step == seams[i]->step; end++) pleats = pleats || seams[end]->laid;
+        const mus__sewing_step *step = &job->sewing.steps[seams[i]->step];
+        if ((step->kind == MUS__SEWING_BUTTONS) != buttons) continue;
+        tell_head(job, step, pleats, !group_same(seams[i], seams[end - 1]));
+        for (int32_t k = i, next; k < end; k = next) {
+            for (next = k + 1; next < end && group_same(seams[k], seams[next]);) next++;
+            tell_line(job, seams + k, next - k);
+        }
+    }
+}
+
+
+/* ---- public ---- */
+
+static mus_status instructions_tell(mus__instructions *job, const char *title)
+{
+    mus_context *context = job->sink.context;
+    const int32_t n = job->sewing.n;
+    mus__sewn **seams = mus__print_new(context, n, sizeof *seams);
+    if (seams == NULL) return mus__print_memory(context, "the instructions");
+    if (n > 0) memcpy(seams, job->sewing.by_words, (size_t)n * sizeof *seams);
+    mus__sort(seams, (size_t)n, sizeof *seams, group_compare);
+    mus__finish_find(job);
+    mus__sink_print(&job->sink, "%s\n", title != NULL ? title : mus_pattern_name(job->pattern));
+    tell_pieces(job);
+    tell_notions(job);
+    tell_preparation(job);
+    tell_steps(job, seams, false);
+    const mus_status status = mus__tell_finish(job);
+    tell_steps(job, seams, true);
+    mus__print_free(context, seams);
+    return status;
+}
+
+
+static mus_status instructions_write(const mus_pattern *pattern, const char *title, const mus__target *target,
+                                     const char *what)
+{
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_context *context = mus_pattern_context(pattern);
+    mus_status status = mus__target_check(context, target, what);
+    if (status != MUS_OK) return status;
+    mus__instructions job = {.pattern = pattern, .extra = mus_pattern_cut_only(pattern)};
+    const int64_t most = (int64_t)mus_pattern_panel_count(pattern) + mus_pattern_panel_count(job.extra);
+    mus__sink_init(&job.sink, context);
+    status = mus__sewing_make(context, pattern, &job.sewing);
+    if (status == MUS_OK) status = mus__sewing_order(&job.sewing);
+    job.list.words = mus__print_new(context, most, sizeof *job.list.words);
+    job.finishes = mus__print_new(context, most, sizeof *job.finishes);
+    if (status == MUS_OK && (job.list.words == NULL || job.finishes == NULL))
+        status = mus__print_memory(context, "the instructions");
+    if (status == MUS_OK) status = instructions_tell(&job, title);
+    if (status == MUS_OK) status = mus__sink_give(&job.sink, target);
+    mus__print_free(context, job.finishes);
+    mus__print_free(context, job.list.words);
+    mus__sewing_free(&job.sewing);
+    mus__sink_free(&job.sink);
+    return status;
+}
+
+
+mus_status mus_pattern_write_instructions(const mus_pattern *pattern, const char *title, const char *path)
+{
+    return instructions_write(pattern, title, &(mus__target){path, NULL, NULL}, "mus_pattern_write_instructions");
+}
+
+
+mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes,
+                                                size_t *size)
+{
+    return instructions_write(pattern, title, &(mus__target){NULL, bytes, size},
+                              "mus_pattern_write_instructions_bytes");
+}

@@ -1,0 +1,69 @@
+/*
+ * sewing_words.c: names of panels and edges as the words that a sewer reads.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "sewing/sewing.h"
+
+
+static bool words_small(char c)
+{
+    return c >= 'a' && c <= 'z';
+}
+
+
+static bool words_capital(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+
+static bool words_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+
+/* bytes of the word that `name` starts with: letters of any script and digits, up to a capital after a small letter */
+static size_t words_length(const char *name)
+{
+    size_t n = 0;
+    while ((unsigned char)name[n] >= 0x80 || words_small(name[n]) || words_capital(name[n]) || words_digit(name[n])) {
+        if (n > 0 && words_capital(name[n]) && words_small(name[n - 1])) break;
+        n++;
+    }
+    return n;
+}
+
+
+void mus__sewing_words(const char *name, bool sideless, char *out)
+{
+    size_t n = 0, k = 0;
+    for (; *name != '\0'; name += k > 0 ? k : 1) {
+        k = words_length(name);
+        const bool side = (k == 4 && strncmp(name, "left", k) == 0) || (k == 5 && strncmp(name, "right", k) == 0) ||
+                          (k == 1 && *name == 'r');
+        const char *word = k == 1 && *name == 'F' ? "front" : k == 1 && *name == 'B' ? "back" : name;
+        const size_t size = word == name ? k : strlen(word);
+        if (k == 0 || (sideless && side) || n + size + 2 > MUS__WORDS) continue;
+        if (n > 0) out[n++] = ' ';
+        memcpy(out + n, word, size);
+        n += size;
+    }
+    out[n] = '\0';
+}
+
+
+void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
+{
+    char words[MUS__WORDS];
+    size_t n = 0;
+    const char *label = mus_pattern_edge_label(pattern, edge);
+    mus__sewing_words(label[0] != '\0' ? label : mus_pattern_edge_name(pattern, edge), true, words);
+    for (const char *c = words; *c != '\0'; c++)
+        if (!words_digit(*c)) out[n++] = *c;
+    while (n > 0 && out[n - 1] == ' ') n--;
+    out[n] = '\0';
+    if (n == 0) snprintf(out, MUS__WORDS, "edge");
+}

@@ -1,0 +1,105 @@
+"""The sheet of instructions from outside: the command's text beside the pattern's own JSON. Each seam stands in it
+once, and the steps do not depend on the order in which the pattern lists its panels, edges and seams."""
+import collections
+import json
+import random
+import re
+import subprocess
+
+import pytest
+
+from places import BIN
+
+MUSLIN = BIN / "muslin"
+EVERY = 48  # of the designs, each EVERY-th is looked at
+
+
+def run(*arguments):
+    done = subprocess.run([MUSLIN, *arguments], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def designs():
+    return [line.split()[0] for line in run("designs").splitlines()][::EVERY]
+
+
+def draft(name, folder):
+    for size in ("W40", "M50", "C116"):
+        done = subprocess.run([MUSLIN, "draft", "--design", name, "--size", size, "-o", folder / "pattern.json"],
+                              capture_output=True, text=True)
+        if done.returncode == 0:
+            return json.loads((folder / "pattern.json").read_text())
+    raise AssertionError(f"{name} is drafted in no size: {done.stderr}")
+
+
+def instructions(pattern, folder):
+    (folder / "asked.json").write_text(json.dumps(pattern))
+    return run("print", "--pattern", folder / "asked.json", "--instructions", "-")
+
+
+def shuffled(pattern, seed):
+    """The same pattern with its cells in another order."""
+    draw = random.Random(seed)
+    new = {}
+    for kind in ("panels", "points", "edges"):
+        order = list(range(len(pattern[kind])))
+        draw.shuffle(order)
+        new[kind] = {old: place for place, old in enumerate(order)}
+    panel, point, edge = new["panels"], new["points"], new["edges"]
+
+    def placed(kind, cells):
+        return [cells[old] for old in sorted(new[kind], key=new[kind].get)]
+
+    panels = [{**p, "outline": [[edge[e], way] for e, way in p["outline"]],
+               **({"mirror_of": panel[p["mirror_of"]]} if "mirror_of" in p else {})} for p in pattern["panels"]]
+    points = [{**p, "panel": panel[p["panel"]]} for p in pattern["points"]]
+    edges = [{**e, "start": point[e["start"]], "end": point[e["end"]]} for e in pattern["edges"]]
+    seams = [{**s, "a": edge[s["a"]], "b": edge[s["b"]]} for s in pattern["seams"]]
+    draw.shuffle(seams)
+    return {**pattern, "panels": placed("panels", panels), "points": placed("points", points),
+            "edges": placed("edges", edges), "seams": seams,
+            "notches": [{**n, "edge": edge[n["edge"]]} for n in pattern["notches"]],
+            "marks": [{**m, "panel": panel[m["panel"]]} for m in pattern["marks"]]}
+
+
+@pytest.mark.parametrize("name", designs())
+def test_the_steps_do_not_depend_on_the_order_of_the_cells(name, tmp_path):
+    pattern = draft(name, tmp_path)
+    steps = instructions(pattern, tmp_path).split("\nSewing", 1)[1]
+    for seed in range(3):
+        assert instructions(shuffled(pattern, seed), tmp_path).split("\nSewing", 1)[1] == steps
+
+
+def words(name):
+    """A panel's name as the text has it, without left and right."""
+    return " ".join(word for word in re.findall(r"[^\W_]+", name) if word not in ("left", "right"))
+
+
+@pytest.mark.parametrize("name", designs())
+def test_each_seam_has_its_line(name, tmp_path):
+    pattern = draft(name, tmp_path)
+    owner = {edge: words(panel["name"]) for panel in pattern["panels"] for edge, _ in panel["outline"]}
+    wanted = collections.Counter()
+    for seam in pattern["seams"]:
+        wanted[frozenset((owner[seam["a"]], owner[seam["b"]]))] += 1
+    told = collections.Counter()
+    for line in re.findall(r"^   - (.*)", instructions(pattern, tmp_path), re.M):
+        line = line.removeprefix("set in the zip: ")
+        head = re.split(r", \d|: \d+ (?:dart|pleat)", line)[0]
+        sides = re.split(r" (?:to|onto) ", head) if " to " in head or " onto " in head else [head]
+        if re.match(r"[^()]*: ", head):  # a panel with itself
+            sides = [head.split(":")[0]]
+        sides = [words(re.sub(r" \([^)]*\)| at the .*", "", side)) for side in sides]
+        dart = re.search(r": (\d+) (?:dart|pleat)", line)
+        told[frozenset(sides)] += (int(dart.group(1)) if dart else 1) * (2 if line.endswith("alike") else 1)
+    assert set(told) == set(wanted)
+    for pair, count in told.items():  # parts of one seam between darts share a line
+        assert count <= wanted[pair], sorted(pair)
+
+
+def test_what_is_asked_wrongly_has_a_sentence(tmp_path):
+    done = subprocess.run([MUSLIN, "print", "--design", "tshirt", "--size", "W40", "--instructions",
+                           tmp_path / "no" / "t.txt"], capture_output=True, text=True)
+    assert done.returncode != 0 and "t.txt" in done.stderr
+    assert run("print", "--design", "tshirt", "--size", "W40", "--instructions", "-").startswith("T-shirt\n")

@@ -187,26 +187,36 @@ static int32_t legend_lines(double width, char (*lines)[128])
 }
 
 
+#define LEGEND_MET 32 /* points of pieces that are remembered; chosen: changes the time alone */
+
 /* what may lie where the legend is wanted: pieces, by the function, and one box */
 typedef struct legend_taken {
-    bool (*taken)(const void *user, const double *box);
+    bool (*taken)(const void *user, const double *box, double *at);
     const void *user;
     const double *box;
+    double met[LEGEND_MET][2]; /* the last points where pieces were met: neighbouring places hold them too */
+    int32_t nmet;
 } legend_taken;
 
 
-static bool legend_clear(const legend_taken *taken, const double *box)
+static bool legend_clear(legend_taken *taken, const double *box)
 {
     const double grown[4] = {box[0] - LEGEND_GAP, box[1] - LEGEND_GAP, box[2] + LEGEND_GAP, box[3] + LEGEND_GAP};
     const double *other = taken->box;
     if (other != NULL && grown[0] < other[2] && grown[2] > other[0] && grown[1] < other[3] && grown[3] > other[1])
         return false;
-    return !taken->taken(taken->user, grown);
+    for (int32_t i = 1; i <= taken->nmet && i <= LEGEND_MET; i++) {
+        const double *met = taken->met[(taken->nmet - i) % LEGEND_MET];
+        if (grown[0] < met[0] && met[0] < grown[2] && grown[1] < met[1] && met[1] < grown[3]) return false;
+    }
+    if (!taken->taken(taken->user, grown, taken->met[taken->nmet % LEGEND_MET])) return true;
+    taken->nmet++;
+    return false;
 }
 
 
 /* find a free place of the given width and height on the first page that has one, from its upper left corner on */
-static bool legend_find(const mus_sheet *sheet, double width, double height, const legend_taken *taken, double *out)
+static bool legend_find(const mus_sheet *sheet, double width, double height, legend_taken *taken, double *out)
 {
     for (int32_t t = 0; t < sheet->ntile; t++) {
         double window[4];
@@ -238,13 +248,13 @@ static bool legend_shown(const mus_sheet *sheet, const double *box)
 }
 
 
-void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box), const void *user,
-                       const double *corner)
+void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box, double *at),
+                       const void *user, const double *corner)
 {
     static const double widths[] = {0.165, 0.13, 0.1, 0.075};
     char lines[LEGEND_LINES][128];
     double box[4];
-    legend_taken all = {taken, user, NULL};
+    legend_taken all = {.taken = taken, .user = user};
     sheet->cover = true;
     if (corner != NULL) {
         memcpy(box, corner, 2 * sizeof *box);

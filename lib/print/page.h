@@ -31,10 +31,10 @@ mus_status mus__cover_check(const mus_sheet *sheet);
 void mus__cover_size(const mus_sheet *sheet, double *out);
 void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out);
 /* find places on the pages of a tiled sheet for the test squares (at `corner`, unless NULL) and for title and
- * instructions: sets squares, legend, and cover (false when both are found). taken(user, box) tells whether a piece
- * meets the box */
-void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box), const void *user,
-                       const double *corner);
+ * instructions: sets squares, legend, and cover (false when both are found). taken(user, box, at) tells whether a
+ * piece meets the box, and a point (2) where it does */
+void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box, double *at),
+                       const void *user, const double *corner);
 /* draw title and instructions on the sheet, at `legend` */
 void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out);
 

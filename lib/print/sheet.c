@@ -209,11 +209,11 @@ static mus_status sheet_marks(const mus_sheet *sheet, const mus_pattern *const *
 }
 
 
-static bool sheet_taken(const void *user, const double *box)
+static bool sheet_taken(const void *user, const double *box, double *at)
 {
     const mus_sheet *sheet = user;
     for (int32_t i = 0; i < sheet->npiece; i++)
-        if (mus__piece_meets(&sheet->pieces[i], NULL, box)) return true;
+        if (mus__piece_meets(&sheet->pieces[i], NULL, box, at)) return true;
     return false;
 }
 

@@ -48,9 +48,10 @@ mus_status mus__sheet_layout(mus_sheet *sheet);
 /* window of a tile: low x, low y, high x, high y of the part of the sheet that it prints, without margins [m] */
 void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box);
 int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
-/* true when a part of the segment (mus__piece_meets: of the inside or the cut line of the piece) lies in the box */
+/* true when a part of the segment (mus__piece_meets: of the inside or the cut line of the piece) lies in the box; at
+ * (2), unless NULL, gets a point where it does */
 bool mus__segment_meets(const double *a, const double *b, const double *box);
-bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box);
+bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box, double *at);
 /* write the boxes of each MUS__RUN sides of the cut line to `runs` (n x 4), which spare mus__piece_meets most sides;
  * both take NULL. Returns n */
 int32_t mus__piece_runs(const mus__piece *piece, double *runs);

@@ -228,8 +228,9 @@ typedef struct layout_view {
 } layout_view;
 
 
-/* true when a piece of the layout meets the box (low x, low y, high x, high y on the sheet [m]) */
-static bool layout_meets(const void *user, const double *box)
+/* true when a piece of the layout meets the box (low x, low y, high x, high y on the sheet [m]); met (2), unless NULL,
+ * gets a point where it does */
+static bool layout_meets(const void *user, const double *box, double *met)
 {
     const layout_view *view = user;
     const mus_sheet *sheet = view->sheet;
@@ -247,8 +248,11 @@ static bool layout_meets(const void *user, const double *box)
         }
         for (int32_t k = 0; k < sheet->nsize; k++) {
             const int32_t piece = i * sheet->nsize + k;
-            if (mus__piece_meets(&sheet->pieces[piece], view->search->runs + 4 * view->search->run[piece], at))
-                return true;
+            const double *runs = view->search->runs + 4 * view->search->run[piece];
+            if (!mus__piece_meets(&sheet->pieces[piece], runs, at, met)) continue;
+            for (int32_t d = 0; d < 2 && met != NULL; d++)
+                met[d] = corner[d] + (view->layout->places[i].flip[d] ? own[2 + d] - met[d] : met[d] - own[d]);
+            return true;
         }
     }
     return false;
@@ -273,7 +277,7 @@ static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l, int32_t m
             const mus__tile tile = {column, row};
             double box[4];
             mus__tile_window(sheet, &tile, box);
-            if (layout_meets(&view, box)) sheet->tiles[sheet->ntile++] = tile;
+            if (layout_meets(&view, box, NULL)) sheet->tiles[sheet->ntile++] = tile;
             if (sheet->ntile > most) return MUS_OK;
         }
     }

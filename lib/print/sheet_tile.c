@@ -6,8 +6,9 @@
 #include "print/sheet.h"
 
 
-/* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left */
-bool mus__segment_meets(const double *a, const double *b, const double *box)
+/* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left: `part` (2) gets its ends, 0 at a
+ * to 1 at b */
+static bool segment_clip(const double *a, const double *b, const double *box, double *part)
 {
     double from = 0.0, to = 1.0;
     for (int32_t k = 0; k < 2; k++)
@@ -22,7 +23,16 @@ bool mus__segment_meets(const double *a, const double *b, const double *box)
         from = fmax(from, t < u ? t : u);
         to = fmin(to, t < u ? u : t);
     }
+    part[0] = from;
+    part[1] = to;
     return from <= to;
+}
+
+
+bool mus__segment_meets(const double *a, const double *b, const double *box)
+{
+    double part[2];
+    return segment_clip(a, b, box, part);
 }
 
 
@@ -48,8 +58,9 @@ int32_t mus__piece_runs(const mus__piece *piece, double *runs)
 }
 
 
-bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box)
+bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box, double *at)
 {
+    double part[2];
     if (box[0] > piece->box[2] || box[2] < piece->box[0] || box[1] > piece->box[3] || box[3] < piece->box[1])
         return false;
 
@@ -66,12 +77,16 @@ bool mus__piece_meets(const mus__piece *piece, const double *runs, const double 
                 continue;
             for (int32_t i = first; i < end && i < first + MUS__RUN; i++) {
                 const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
-                if (mus__segment_meets(a, b, box)) return true;
+                if (segment_clip(a, b, box, part)) {
+                    for (int32_t k = 0; k < 2 && at != NULL; k++) at[k] = a[k] + part[0] * (b[k] - a[k]);
+                    return true;
+                }
                 if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1]))
                     inside = !inside;
             }
         }
     }
+    if (at != NULL) at[0] = mx, at[1] = my;
     return inside;
 }
 

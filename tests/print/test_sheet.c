@@ -183,7 +183,7 @@ START_TEST(pieces_lie_apart_inside_the_sheet)
                 for (int32_t m = 0; m < sheet->pieces[i].cut.n && k != i; m++) {
                     const double *p = sheet->pieces[i].cut.xy + 2 * m;
                     const double near[4] = {p[0] - 0.0042, p[1] - 0.0042, p[0] + 0.0042, p[1] + 0.0042};
-                    ck_assert(!mus__piece_meets(&sheet->pieces[k], NULL, near));
+                    ck_assert(!mus__piece_meets(&sheet->pieces[k], NULL, near, NULL));
                 }
             }
         }

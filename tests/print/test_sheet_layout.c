@@ -197,7 +197,7 @@ START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
                                 {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
     for (int32_t k = 0; k < 2; k++) {
         int32_t pages = 0;
-        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, boxes[k]));
+        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, boxes[k], NULL));
         for (int32_t i = 0; i < sheet->ntile; i++) {
             double box[4];
             mus__tile_window(sheet, &sheet->tiles[i], box);
@@ -223,7 +223,7 @@ START_TEST(pages_without_cloth_are_left_out)
     for (int32_t i = 0; i < sheet->ntile; i++) {
         double box[4];
         mus__tile_window(sheet, &sheet->tiles[i], box);
-        ck_assert(mus__piece_meets(&sheet->pieces[0], NULL, box));
+        ck_assert(mus__piece_meets(&sheet->pieces[0], NULL, box, NULL));
     }
     mus_pattern_destroy(strip);
 }
@@ -280,8 +280,10 @@ START_TEST(runs_of_sides_change_no_answer)
             const double x = piece->box[0] + (piece->box[2] - piece->box[0]) * (k % 20 - 1) / 18.0;
             const double y = piece->box[1] + (piece->box[3] - piece->box[1]) * (double)(k / 20 - 1) / 18.0;
             const double wide = 0.001 * (1 + k % 7), box[4] = {x, y, x + wide, y + wide};
-            const bool meets = mus__piece_meets(piece, NULL, box);
-            ck_assert(mus__piece_meets(piece, runs, box) == meets);
+            double at[2] = {HUGE_VAL, HUGE_VAL};
+            const bool meets = mus__piece_meets(piece, NULL, box, at);
+            for (int32_t d = 0; d < 2 && meets; d++) ck_assert(at[d] >= box[d] - 1e-12 && at[d] <= box[2 + d] + 1e-12);
+            ck_assert(mus__piece_meets(piece, runs, box, NULL) == meets);
             met += meets;
         }
         free(runs);
@@ -303,7 +305,7 @@ START_TEST(one_page_has_no_cover_and_its_own_squares)
     ck_assert_double_eq_tol(page[2], 0.914, 1e-4);
     ck_assert_double_lt(page[3], 5.08);
     const double *at = sheet->squares, box[4] = {at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES};
-    for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, box));
+    for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, box, NULL));
     ck_assert(shown(box[0], box[1]) && shown(box[2], box[3]));
 }
 END_TEST

@@ -197,7 +197,8 @@ START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
                                 {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
     for (int32_t k = 0; k < 2; k++) {
         int32_t pages = 0;
-        for (int32_t i = 0; i < sheet->npiece; i++) ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, boxes[k], NULL));
+        for (int32_t i = 0; i < sheet->npiece; i++)
+            ck_assert(!mus__piece_meets(&sheet->pieces[i], NULL, boxes[k], NULL));
         for (int32_t i = 0; i < sheet->ntile; i++) {
             double box[4];
             mus__tile_window(sheet, &sheet->tiles[i], box);

@@ -75,7 +75,7 @@ bool mus__sewing_inner(const mus_pattern *pattern, int32_t edge);
 /* set line, next and step of all seams, and the steps */
 mus_status mus__sewing_order(mus__sewing *sewing);
 
-/* ---- text (sewing_text.c, sewing_finish.c) ---- */
+/* ---- text (sewing_list.c, sewing_finish.c, sewing_text.c) ---- */
 
 /* words that one sentence lists */
 typedef struct mus__words_list {
@@ -99,14 +99,21 @@ void mus__tell_length(mus__sink *sink, double length);
 void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel);
 /* write "a, b, c" and empty the list; equal words, and those that differ in a last number, once */
 void mus__list_tell(mus__instructions *job);
+/* write a step: `head`, the list, `tail`; nothing when the list is empty */
+void mus__list_step(mus__instructions *job, const char *head, const char *tail);
 /* number of copies to cut of a panel or of the one that it is the mirror image of */
 int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t material);
 /* is a panel printed, and not as the image of another? */
 bool mus__tell_printed(const mus_pattern *pattern, int32_t panel);
+/* has a panel an image, or is it one? */
+bool mus__tell_mirrored(const mus_pattern *pattern, int32_t panel);
 /* is a panel sewn as two layers: cut twice without an image, or four times with one, or lined? */
 bool mus__tell_double(const mus_pattern *pattern, int32_t panel);
+/* length of the longest edge of a panel [m] */
+double mus__tell_longest(const mus_pattern *pattern, int32_t panel);
 /* has a panel a mark of that name? */
 bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *mark);
+
 /* set what the panels finish that are cut and not draped */
 void mus__finish_find(mus__instructions *job);
 /* write the steps of panels that are cut and not draped, and that no edge and no mark asks for: those that come before
@@ -114,7 +121,5 @@ void mus__finish_find(mus__instructions *job);
 void mus__tell_parts(mus__instructions *job, bool last);
 /* write the steps that finish the free edges */
 mus_status mus__tell_finish(mus__instructions *job);
-/* length of the longest edge of a panel [m] */
-double mus__tell_longest(const mus_pattern *pattern, int32_t panel);
 
 #endif

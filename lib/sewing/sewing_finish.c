@@ -245,10 +245,7 @@ void mus__tell_parts(mus__instructions *job, bool last)
         if (finish_parts[k].last != last) continue;
         for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
             if (part_of(job, i) == k) mus__list_add(job, job->extra, i);
-        if (job->list.n == 0) continue;
-        mus__sink_print(&job->sink, "%d. %s: ", (int)++job->number, finish_parts[k].text);
-        mus__list_tell(job);
-        mus__sink_print(&job->sink, ".\n");
+        mus__list_step(job, finish_parts[k].text, "");
     }
 }
 

@@ -14,95 +14,7 @@
 #include "sewing/sewing.h"
 
 
-void mus__tell_length(mus__sink *sink, double length)
-{
-    const long tenths = lround(1e3 * length);
-    mus__sink_print(sink, "%ld.%ld cm", tenths / 10, tenths % 10);
-}
-
-
-/* ---- lists ---- */
-
-void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel)
-{
-    mus__sewing_words(mus_pattern_panel_name(pattern, panel), true, job->list.words[job->list.n++]);
-}
-
-
-static int list_compare(const void *a, const void *b)
-{
-    return strcmp(a, b);
-}
-
-
-void mus__list_tell(mus__instructions *job)
-{
-    char(*words)[MUS__WORDS] = job->list.words;
-    mus__sort(words, (size_t)job->list.n, sizeof *words, list_compare);
-    for (int32_t i = 0, last = 0; i < job->list.n; i++) {
-        const size_t size = strlen(words[last]);
-        if (i > 0 && strncmp(words[i], words[last], size) == 0 &&
-            words[i][size + strspn(words[i] + size, " 0123456789")] == '\0')
-            continue;
-        mus__sink_print(&job->sink, "%s%s", i > 0 ? ", " : "", words[i]);
-        last = i;
-    }
-    job->list.n = 0;
-}
-
-
-/* write a step that says `head` and the list, unless the list is empty */
-static void tell_list_step(mus__instructions *job, const char *head, const char *tail)
-{
-    if (job->list.n == 0) return;
-    mus__sink_print(&job->sink, "%d. %s: ", (int)++job->number, head);
-    mus__list_tell(job);
-    mus__sink_print(&job->sink, ".%s\n", tail);
-}
-
-
-/* ---- panels ---- */
-
-int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t material)
-{
-    int32_t image = MUS_NONE, copies = 0;
-    mus_pattern_cut(pattern, panel, NULL, &image);
-    mus_pattern_material(pattern, image != MUS_NONE ? image : panel, material, &copies, NULL);
-    return copies;
-}
-
-
-bool mus__tell_printed(const mus_pattern *pattern, int32_t panel)
-{
-    int32_t image = MUS_NONE;
-    mus_pattern_cut(pattern, panel, NULL, &image);
-    return image == MUS_NONE;
-}
-
-
-static bool tell_mirrored(const mus_pattern *pattern, int32_t panel)
-{
-    int32_t mirrored = 0;
-    mus_pattern_material(pattern, panel, MUS_MATERIAL_MAIN, NULL, &mirrored);
-    return mirrored != 0 || !mus__tell_printed(pattern, panel);
-}
-
-
-bool mus__tell_double(const mus_pattern *pattern, int32_t panel)
-{
-    return mus__tell_copies(pattern, panel, MUS_MATERIAL_MAIN) > (tell_mirrored(pattern, panel) ? 2 : 1) ||
-           mus__tell_copies(pattern, panel, MUS_MATERIAL_LINING) > 0;
-}
-
-
-double mus__tell_longest(const mus_pattern *pattern, int32_t panel)
-{
-    double longest = 0.0;
-    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
-        if (mus_pattern_edge_panel(pattern, i) == panel) longest = fmax(longest, mus_pattern_edge_length(pattern, i));
-    return longest;
-}
-
+/* ---- pieces ---- */
 
 static void tell_pieces(mus__instructions *job)
 {
@@ -115,7 +27,7 @@ static void tell_pieces(mus__instructions *job)
             if (!mus__tell_printed(pattern, i)) continue;
             memset(&piece, 0, sizeof piece);
             for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) piece.copies[m] = mus__tell_copies(pattern, i, m);
-            piece.mirrored = tell_mirrored(pattern, i);
+            piece.mirrored = mus__tell_mirrored(pattern, i);
             mus__sewing_words(mus_pattern_panel_name(pattern, i), piece.mirrored, words);
             mus__piece_cut_text(&piece, cut, sizeof cut);
             mus__sink_print(&job->sink, "- %s: c%s\n", words, cut + 1);
@@ -158,18 +70,6 @@ static void tell_notions(mus__instructions *job)
 
 /* ---- preparation ---- */
 
-bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *mark)
-{
-    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
-        int32_t own;
-        const char *name;
-        if (mus_pattern_mark(pattern, i, &own, &name, NULL, NULL) == MUS_OK && own == panel && strcmp(name, mark) == 0)
-            return true;
-    }
-    return false;
-}
-
-
 static void tell_preparation(mus__instructions *job)
 {
     const int32_t panels = mus_pattern_panel_count(job->pattern), extras = mus_pattern_panel_count(job->extra);
@@ -178,17 +78,17 @@ static void tell_preparation(mus__instructions *job)
         if (mus__tell_copies(job->pattern, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->pattern, i);
     for (int32_t i = 0; i < extras; i++)
         if (mus__tell_copies(job->extra, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->extra, i);
-    tell_list_step(job, "Fuse the interfacing to", "");
+    mus__list_step(job, "Fuse the interfacing to", "");
 
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
-    tell_list_step(job, "Two layers",
+    mus__list_step(job, "Two layers",
                    " Sew the second layer, or the lining, to the first along the edges that no later "
                    "step names, turn it inside, and fold its other edges in.");
 
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
-    tell_list_step(job, "Fold the pleats along their lines and hold them within the allowance", "");
+    mus__list_step(job, "Fold the pleats along their lines and hold them within the allowance", "");
 
     /* patches whose place is marked, each below its name */
     for (int32_t k = 0; k < extras; k++) {
@@ -199,7 +99,7 @@ static void tell_preparation(mus__instructions *job)
         mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
         snprintf(head, sizeof head, "Hem the upper edge of the %s, turn the others in, and stitch it along its line on",
                  words);
-        tell_list_step(job, head, "");
+        mus__list_step(job, head, "");
     }
     mus__tell_parts(job, false);
 }

@@ -201,6 +201,57 @@ START_TEST(the_text_of_a_skirt)
 END_TEST
 
 
+/* ---- two strips, 10 x 80 cm, below a band that is sewn to both: the seam of the strips is the longer one ---- */
+
+static int32_t polygon(mus_pattern *pattern, const char *name, int32_t n, const double *xy)
+{
+    int32_t panel, point[8], edge[8], on[8];
+    ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
+    for (int32_t i = 0; i < n; i++)
+        ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &point[i]), MUS_OK);
+    for (int32_t i = 0; i < n; i++) {
+        mus_edge_def def;
+        mus_edge_def_init(&def, sizeof def);
+        def.start = point[i];
+        def.end = point[(i + 1) % n];
+        on[i] = 1;
+        ck_assert_int_eq(mus_pattern_add_edge(pattern, &def, &edge[i]), MUS_OK);
+    }
+    ck_assert_int_eq(mus_pattern_set_outline(pattern, panel, n, edge, on), MUS_OK);
+    return edge[0];
+}
+
+
+START_TEST(a_line_waits_for_the_seam_that_it_crosses)
+{
+    static const double strip[] = {0.0, 0.0, 0.1, 0.0, 0.1, 0.8, 0.0, 0.8};
+    static const double band[] = {0.0, 0.0, 0.1, 0.0, 0.2, 0.0, 0.2, 0.05, 0.0, 0.05};
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    ck_assert_int_eq(mus_pattern_create(context, "strips", &pattern), MUS_OK);
+    const int32_t left = polygon(pattern, "a", 4, strip), right = polygon(pattern, "b", 4, strip);
+    const int32_t low = polygon(pattern, "band", 5, band);
+    const int32_t pairs[3][2] = {{low, left + 2}, {low + 1, right + 2}, {left + 1, right + 3}};
+    for (int32_t i = 0; i < 3; i++) {
+        mus_seam_def def;
+        mus_seam_def_init(&def, sizeof def);
+        def.edge_a = pairs[i][0];
+        def.edge_b = pairs[i][1];
+        ck_assert_int_eq(mus_pattern_add_seam(pattern, &def, NULL), MUS_OK);
+    }
+    mus__sewing sewing;
+    ck_assert_int_eq(mus__sewing_make(context, pattern, &sewing), MUS_OK);
+    ck_assert_int_eq(mus__sewing_order(&sewing), MUS_OK);
+    ck_assert_int_eq(sewing.nstep, 2);
+    ck_assert_int_eq(sewing.sewn[2].step, 0);
+    for (int32_t i = 0; i < 2; i++) ck_assert_int_eq(sewing.sewn[i].step, 1); /* the band in one stitching */
+    mus__sewing_free(&sewing);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(an_empty_pattern_has_no_steps)
 {
     mus_context *context = support_context();
@@ -273,6 +324,7 @@ Suite *mus_suite_sewing(void)
     tcase_set_timeout(tcase, 60.0);
     tcase_add_test(tcase, every_design_is_sewn_as_a_workshop_sews);
     tcase_add_test(tcase, the_text_of_a_skirt);
+    tcase_add_test(tcase, a_line_waits_for_the_seam_that_it_crosses);
     tcase_add_test(tcase, an_empty_pattern_has_no_steps);
     tcase_add_test(tcase, a_failure_has_a_status_and_leaves_nothing);
     tcase_add_test(tcase, names_are_words);

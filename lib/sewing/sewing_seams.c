@@ -163,6 +163,8 @@ static void seam_phrase(const mus_pattern *pattern, mus__sewn *sewn)
         snprintf(out, MUS__PHRASE, "%s onto %s", panel[0], panel[1]);
     else if (strcmp(panel[0], panel[1]) == 0)
         snprintf(out, MUS__PHRASE, "%s: %s to %s", panel[0], edge[0], edge[1]);
+    else if (strcmp(edge[0], "edge") == 0 && strcmp(edge[1], "edge") == 0) /* edges without name and label */
+        snprintf(out, MUS__PHRASE, "%s to %s", panel[0], panel[1]);
     else if (strcmp(edge[0], edge[1]) == 0)
         snprintf(out, MUS__PHRASE, "%s to %s at the %s", panel[0], panel[1], edge[0]);
     else

@@ -58,6 +58,15 @@ static void tell_notions(mus__instructions *job)
         mus__tell_length(&job->sink, seam->length[0]);
         mus__sink_print(&job->sink, "\n");
     }
+    double fly = HUGE_VAL;
+    for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
+        if (strcmp(mus_pattern_panel_label(job->extra, i), "fly") == 0)
+            fly = fmin(fly, mus__tell_longest(job->extra, i));
+    if (fly < HUGE_VAL) {
+        mus__sink_print(notion(job, &any), "- a zip of ");
+        mus__tell_length(&job->sink, fly);
+        mus__sink_print(&job->sink, " for the fly\n");
+    }
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
         if (count == 0) continue;

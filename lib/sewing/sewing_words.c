@@ -39,6 +39,7 @@ static size_t words_length(const char *name)
 
 void mus__sewing_words(const char *name, bool sideless, char *out)
 {
+    const char *full = name;
     size_t n = 0, k = 0;
     for (; *name != '\0'; name += k > 0 ? k : 1) {
         k = words_length(name);
@@ -52,6 +53,7 @@ void mus__sewing_words(const char *name, bool sideless, char *out)
         n += size;
     }
     out[n] = '\0';
+    if (n == 0 && sideless) mus__sewing_words(full, false, out); /* a name of nothing but a side */
 }
 
 

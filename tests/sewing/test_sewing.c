@@ -298,6 +298,7 @@ START_TEST(names_are_words)
                                            {"capF_low", "cap front low", "cap front low"},
                                            {"side_r", "side", "side r"},
                                            {"", "", ""},
+                                           {"left", "left", "left"},
                                            {"--", "", ""},
                                            {"rightLeg2", "Leg2", "right Leg2"},
                                            {"\xc3\xa4rmel", "\xc3\xa4rmel", "\xc3\xa4rmel"}};

@@ -126,6 +126,9 @@ void fuzz_defs(const uint8_t *bytes, size_t size)
     mus_cloth_def cut;
     mus_drape_def def;
     mus_fabric_init(&fabric, sizeof fabric);
+    mus_sheet_def paper;
+    mus_sheet_def_init(&paper, sizeof paper);
+    paper.paper = MUS_PAPER_ROLL; /* tiles are searched for ten times as long; the target print has them */
     mus_cloth_def_init(&cut, sizeof cut);
     mus_drape_def_init(&def, sizeof def);
     spoil(&in, &fabric, sizeof fabric);
@@ -196,7 +199,7 @@ static void call(mus_context *context, objects *o, fuzz_input *in)
     case 13: mus_drape_report_get(o->drape, &report); break;
     case 14: mus_drape_hash(o->drape); break;
     case 15:
-        if (!o->sheet && o->sheets++ < SHEETS) mus_sheet_create(context, o->pattern, NULL, &o->sheet);
+        if (!o->sheet && o->sheets++ < SHEETS) mus_sheet_create(context, o->pattern, &paper, &o->sheet);
         break;
     case 16: mus_tape_destroy(o->tape), o->tape = NULL; break;
     case 17: mus_body_destroy(o->body), o->body = NULL; break;

@@ -126,9 +126,6 @@ void fuzz_defs(const uint8_t *bytes, size_t size)
     mus_cloth_def cut;
     mus_drape_def def;
     mus_fabric_init(&fabric, sizeof fabric);
-    mus_sheet_def paper;
-    mus_sheet_def_init(&paper, sizeof paper);
-    paper.paper = MUS_PAPER_ROLL; /* tiles are searched for ten times as long; the target print has them */
     mus_cloth_def_init(&cut, sizeof cut);
     mus_drape_def_init(&def, sizeof def);
     spoil(&in, &fabric, sizeof fabric);
@@ -167,6 +164,9 @@ static void call(mus_context *context, objects *o, fuzz_input *in)
     mus_drape_report report;
     mus_cloth_def cut;
     mus_drape_report_init(&report, sizeof report);
+    mus_sheet_def paper;
+    mus_sheet_def_init(&paper, sizeof paper);
+    paper.paper = MUS_PAPER_ROLL; /* tiles are searched for ten times as long; the target print has them */
     mus_cloth_def_init(&cut, sizeof cut);
     cut.spacing = 0.1;
     cut.nodes_most = 1000;

@@ -209,12 +209,37 @@ static mus_status sheet_marks(const mus_sheet *sheet, const mus_pattern *const *
 }
 
 
+/* the pieces as they lie, with the boxes of their runs */
+typedef struct sheet_view {
+    const mus_sheet *sheet;
+    double *runs;
+} sheet_view;
+
+
 static bool sheet_taken(const void *user, const double *box, double *at)
 {
-    const mus_sheet *sheet = user;
-    for (int32_t i = 0; i < sheet->npiece; i++)
-        if (mus__piece_meets(&sheet->pieces[i], NULL, box, at)) return true;
+    const sheet_view *view = user;
+    const double *runs = view->runs;
+    for (int32_t i = 0; i < view->sheet->npiece; i++) {
+        if (mus__piece_meets(&view->sheet->pieces[i], runs, box, at)) return true;
+        runs += 4 * mus__piece_runs(&view->sheet->pieces[i], NULL);
+    }
     return false;
+}
+
+
+/* find the place of the legend between the pieces as they lie */
+static mus_status sheet_legend(mus_sheet *sheet)
+{
+    int32_t n = 0;
+    for (int32_t i = 0; i < sheet->npiece; i++) n += mus__piece_runs(&sheet->pieces[i], NULL);
+    sheet_view view = {sheet, mus__print_new(sheet->context, n, 4 * sizeof *view.runs)};
+    if (view.runs == NULL) return mus__print_memory(sheet->context, "the place of the legend");
+    n = 0;
+    for (int32_t i = 0; i < sheet->npiece; i++) n += mus__piece_runs(&sheet->pieces[i], view.runs + 4 * n);
+    mus__legend_place(sheet, sheet_taken, &view, sheet->packed ? sheet->squares : NULL);
+    mus__print_free(sheet->context, view.runs);
+    return MUS_OK;
 }
 
 
@@ -224,11 +249,10 @@ static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *const *patter
     if (!sheet->tiled) return MUS_OK;
     mus__drawing lines;
     mus__draw_init(&lines, sheet->context);
-    const mus_status status = sheet_marks(sheet, patterns, &lines);
+    mus_status status = sheet_marks(sheet, patterns, &lines);
     if (status == MUS_OK) sheet_prune(sheet, &lines);
     mus__draw_free(&lines);
-    if (status == MUS_OK)
-        mus__legend_place(sheet, sheet_taken, sheet, sheet->packed ? sheet->squares : NULL);
+    if (status == MUS_OK) status = sheet_legend(sheet);
     return status != MUS_OK || !sheet->cover ? status : mus__cover_check(sheet);
 }
 

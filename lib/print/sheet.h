@@ -12,7 +12,7 @@
 
 #define MUS__SIZES_MOST 64 /* sizes of a sheet; chosen: twice the longest size list of a shop */
 #define MUS__SIZE_NAME 32  /* [bytes] of the name of a size with its zero byte */
-#define MUS__RUN 16        /* sides of a cut line in a run; chosen: changes the time alone */
+#define MUS__RUN 16        /* sides of a cut line in a run, and runs in a group; chosen: changes the time alone */
 
 typedef struct mus__tile {
     int32_t column; /* from the left */
@@ -52,8 +52,8 @@ int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
  * (2), unless NULL, gets a point where it does */
 bool mus__segment_meets(const double *a, const double *b, const double *box);
 bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box, double *at);
-/* write the boxes of each MUS__RUN sides of the cut line to `runs` (n x 4), which spare mus__piece_meets most sides;
- * both take NULL. Returns n */
+/* write the boxes of each MUS__RUN sides of the cut line, those of a group after the box of the group, to `runs`
+ * (n x 4), which spare mus__piece_meets most sides; both take NULL. Returns n */
 int32_t mus__piece_runs(const mus__piece *piece, double *runs);
 
 /* draw the label of a piece: name, copies, person and scale, at a place where it fits (piece_label.c) */

@@ -2,6 +2,7 @@
  * sheet_tile.c: the windows of the tiles, and what meets a window.
  */
 #include <math.h>
+#include <string.h>
 
 #include "print/sheet.h"
 
@@ -36,25 +37,46 @@ bool mus__segment_meets(const double *a, const double *b, const double *box)
 }
 
 
+/* grow a box by another */
+static void run_add(double *box, const double *more)
+{
+    for (int32_t k = 0; k < 2; k++) {
+        box[k] = more[k] < box[k] ? more[k] : box[k];
+        box[2 + k] = more[2 + k] > box[2 + k] ? more[2 + k] : box[2 + k];
+    }
+}
+
+
 int32_t mus__piece_runs(const mus__piece *piece, double *runs)
 {
+    static const double none[4] = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     int32_t n = 0;
     for (int32_t l = 0; l < piece->cut.nloop; l++) {
         const int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
-        for (int32_t first = start; first < end; first += MUS__RUN, n++) {
-            if (runs == NULL) continue;
-            double *run = runs + 4 * n;
-            run[0] = run[1] = HUGE_VAL, run[2] = run[3] = -HUGE_VAL;
-            for (int32_t i = first; i <= end && i <= first + MUS__RUN; i++) {
-                const double *p = piece->cut.xy + 2 * (i < end ? i : start);
-                for (int32_t k = 0; k < 2; k++) {
-                    run[k] = p[k] < run[k] ? p[k] : run[k];
-                    run[2 + k] = p[k] > run[2 + k] ? p[k] : run[2 + k];
+        for (int32_t group = start; group < end; group += MUS__RUN * MUS__RUN) {
+            const int32_t whole = n++;
+            if (runs != NULL) memcpy(runs + 4 * whole, none, sizeof none);
+            for (int32_t first = group; first < end && first < group + MUS__RUN * MUS__RUN; first += MUS__RUN, n++) {
+                if (runs == NULL) continue;
+                double *run = runs + 4 * n;
+                memcpy(run, none, sizeof none);
+                for (int32_t i = first; i <= end && i <= first + MUS__RUN; i++) {
+                    const double *p = piece->cut.xy + 2 * (i < end ? i : start), at[4] = {p[0], p[1], p[0], p[1]};
+                    run_add(run, at);
                 }
+                run_add(runs + 4 * whole, run);
             }
         }
     }
     return n;
+}
+
+
+/* does no side of a run meet the box, or cross the line from its middle to the right? */
+static bool run_is_apart(const double *run, const double *box, double mx, double my)
+{
+    return (run[0] > box[2] || run[2] < box[0] || run[1] > box[3] || run[3] < box[1]) &&
+           (run[1] > my || run[3] < my || run[2] < mx);
 }
 
 
@@ -70,11 +92,19 @@ bool mus__piece_meets(const mus__piece *piece, const double *runs, const double 
     for (int32_t l = 0; l < piece->cut.nloop; l++) {
         const int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
         for (int32_t first = start; first < end; first += MUS__RUN) {
+            if (runs != NULL && (first - start) % (MUS__RUN * MUS__RUN) == 0) {
+                const double *group = runs;
+                const int32_t left = (end - first + MUS__RUN - 1) / MUS__RUN, many = left < MUS__RUN ? left : MUS__RUN;
+                runs += 4;
+                if (run_is_apart(group, box, mx, my)) {
+                    runs += 4 * many;
+                    first += MUS__RUN * (many - 1);
+                    continue;
+                }
+            }
             const double *run = runs;
             if (runs != NULL) runs += 4;
-            if (run != NULL && (run[0] > box[2] || run[2] < box[0] || run[1] > box[3] || run[3] < box[1]) &&
-                (run[1] > my || run[3] < my || run[2] < mx))
-                continue;
+            if (run != NULL && run_is_apart(run, box, mx, my)) continue;
             for (int32_t i = first; i < end && i < first + MUS__RUN; i++) {
                 const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
                 if (segment_clip(a, b, box, part)) {
@@ -86,7 +116,7 @@ bool mus__piece_meets(const mus__piece *piece, const double *runs, const double 
             }
         }
     }
-    if (at != NULL) at[0] = mx, at[1] = my;
+    if (inside && at != NULL) at[0] = mx, at[1] = my;
     return inside;
 }
 

@@ -213,6 +213,20 @@ void fuzz_drape(const uint8_t *bytes, size_t size)
 }
 
 
+/* does a pattern lie within 50 m of its origin? A sheet of thousands of pages takes seconds under the sanitizers */
+static bool print_fits(const mus_pattern *pattern)
+{
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
+        int32_t n = 0;
+        const double *xy = NULL;
+        mus_pattern_edge_pieces(pattern, i, NULL, NULL, &n, &xy);
+        for (int32_t k = 0; k < 2 * n; k++)
+            if (!(fabs(xy[k]) <= 50.0)) return false;
+    }
+    return true;
+}
+
+
 void fuzz_print(const uint8_t *bytes, size_t size)
 {
     mus_context *context = fuzz_context();
@@ -222,7 +236,7 @@ void fuzz_print(const uint8_t *bytes, size_t size)
     size_t told_length = 0;
     if (pattern != NULL && mus_pattern_write_instructions_bytes(pattern, NULL, &told, &told_length) == MUS_OK)
         mus_context_alloc(context, told, 0);
-    if (pattern != NULL && mus_sheet_create(context, pattern, NULL, &sheet) == MUS_OK) {
+    if (pattern != NULL && print_fits(pattern) && mus_sheet_create(context, pattern, NULL, &sheet) == MUS_OK) {
         char *text = NULL;
         size_t length = 0;
         if (mus_sheet_page_count(sheet) <= 16 && mus_sheet_write_pdf_bytes(sheet, &text, &length) == MUS_OK)

@@ -33,6 +33,7 @@ typedef struct mus__sewn {
     int32_t buttons;
     bool zip, laid;
     int32_t family, twins; /* first seam that differs in left and right alone, and how many such seams there are */
+    long millimetres;      /* length of the first seam of the family, side 0 */
     int32_t line;          /* first seam of the line that it is stitched in */
     int32_t next;          /* next seam of the line, or MUS_NONE */
     int32_t step;
@@ -53,6 +54,8 @@ typedef struct mus__sewing {
     mus__sewn *sewn;         /* (n) in the order of the pattern */
     mus__sewn **by_words;    /* (n) sorted; family, line and next are indices of it */
     mus__sewing_step *steps; /* (n) the first nstep are used */
+    int32_t *passes;         /* (edges) how often an outline passes each edge: twice for a line inside a panel */
+    int32_t *notches;        /* (edges) number of notches on each */
 } mus__sewing;
 
 /* ---- words (sewing_words.c) ---- */
@@ -67,8 +70,6 @@ void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
 /* read and sort the seams of a pattern; mus__sewing_free() frees them, also after a failure */
 mus_status mus__sewing_make(mus_context *context, const mus_pattern *pattern, mus__sewing *out);
 void mus__sewing_free(mus__sewing *sewing);
-/* is an edge passed twice by the outline of its panel: a line inside it? */
-bool mus__sewing_inner(const mus_pattern *pattern, int32_t edge);
 
 /* ---- order (sewing_order.c) ---- */
 
@@ -87,8 +88,9 @@ typedef struct mus__instructions {
     const mus_pattern *pattern;
     const mus_pattern *extra; /* panels that are cut and not draped, or NULL */
     mus__sewing sewing;
-    const char **finishes; /* (panels of `extra`) label of the edges that each finishes, "" for none */
-    mus__words_list list;  /* room for a word of each panel and each panel of `extra` */
+    char (*finishes)[MUS__WORDS]; /* (panels of `extra`) words of the edges that each finishes, "" for none */
+    bool *free;                   /* (edges) finished for itself: cut, in no seam, and of one layer */
+    mus__words_list list;         /* room for a word of each panel and each panel of `extra` */
     mus__sink sink;
     int32_t number; /* of the last step */
 } mus__instructions;
@@ -97,7 +99,7 @@ typedef struct mus__instructions {
 void mus__tell_length(mus__sink *sink, double length);
 /* add the name of a panel to the list */
 void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel);
-/* write "a, b, c" and empty the list; equal words, and those that differ in a last number, once */
+/* write "a, b, c" and empty the list; a last number is left out, and equal words are told once */
 void mus__list_tell(mus__instructions *job);
 /* write a step: `head`, the list, `tail`; nothing when the list is empty */
 void mus__list_step(mus__instructions *job, const char *head, const char *tail);

@@ -16,9 +16,8 @@
 /* a free edge; its words say what is finished, those of its panel where */
 typedef struct finish_edge {
     char words[MUS__WORDS], panel[MUS__WORDS];
-    const char *label; /* of the pattern */
-    double length;     /* [m] */
-    double allowance;  /* [m], NaN where it is left to the sheet */
+    double length;    /* [m] */
+    double allowance; /* [m], NaN where it is left to the sheet */
     bool elastic;
 } finish_edge;
 
@@ -41,10 +40,10 @@ static const struct {
 };
 
 
-/* does a panel of `extra` finish edges with the label? */
-static bool finish_with(const mus__instructions *job, int32_t panel, const char *label)
+/* does a panel of `extra` finish edges with the words? */
+static bool finish_with(const mus__instructions *job, int32_t panel, const char *words)
 {
-    return label[0] != '\0' && strcmp(job->finishes[panel], label) == 0;
+    return words[0] != '\0' && strcmp(job->finishes[panel], words) == 0;
 }
 
 
@@ -52,11 +51,13 @@ static bool finish_with(const mus__instructions *job, int32_t panel, const char 
 static bool facing_copies(const mus__instructions *job, int32_t edge)
 {
     const char *label = mus_pattern_edge_label(job->extra, edge), *name = mus_pattern_edge_name(job->extra, edge);
-    const long length = lround(1e4 * mus_pattern_edge_length(job->extra, edge));
+    const double length = mus_pattern_edge_length(job->extra, edge);
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam); /* a copy is as long as what a seam would take */
     for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern) && label[0] != '\0'; i++)
         if (strcmp(mus_pattern_edge_label(job->pattern, i), label) == 0 &&
             strcmp(mus_pattern_edge_name(job->pattern, i), name) == 0 &&
-            lround(1e4 * mus_pattern_edge_length(job->pattern, i)) == length)
+            fabs(mus_pattern_edge_length(job->pattern, i) - length) <= seam.tolerance)
             return true;
     return false;
 }
@@ -64,31 +65,30 @@ static bool facing_copies(const mus__instructions *job, int32_t edge)
 
 void mus__finish_find(mus__instructions *job)
 {
-    const mus_pattern *extra = job->extra;
-    for (int32_t i = 0; i < mus_pattern_panel_count(extra); i++) job->finishes[i] = "";
+    const mus_pattern *extra = job->extra, *pattern = job->pattern;
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
+        const int32_t panel = mus_pattern_edge_panel(pattern, i);
+        job->free[i] = panel != MUS_NONE && mus_pattern_edge_seam(pattern, i) == MUS_NONE &&
+                       job->sewing.passes[i] < 2 && !mus__tell_double(pattern, panel);
+    }
     for (int32_t i = 0; i < mus_pattern_edge_count(extra); i++) {
         const int32_t panel = mus_pattern_edge_panel(extra, i);
         if (panel == MUS_NONE || strcmp(mus_pattern_panel_label(extra, panel), "facing") != 0) continue;
         if (job->finishes[panel][0] == '\0' && facing_copies(job, i))
-            job->finishes[panel] = mus_pattern_edge_label(extra, i);
+            mus__sewing_edge_words(extra, i, job->finishes[panel]);
     }
     for (int32_t i = 0; i < mus_pattern_panel_count(extra); i++) {
         const char *name = mus_pattern_panel_name(extra, i);
+        size_t longest = 0;
         if (strcmp(mus_pattern_panel_label(extra, i), "rib") != 0) continue;
-        for (int32_t k = 0; k < mus_pattern_edge_count(job->pattern); k++) {
-            const char *label = mus_pattern_edge_label(job->pattern, k);
-            if (strlen(label) > strlen(job->finishes[i]) && strncmp(name, label, strlen(label)) == 0)
-                job->finishes[i] = label;
+        for (int32_t k = 0; k < mus_pattern_edge_count(pattern); k++) {
+            const char *label = mus_pattern_edge_label(pattern, k);
+            const size_t size = strlen(label);
+            if (size <= longest || strncmp(name, label, size) != 0) continue;
+            longest = size;
+            mus__sewing_edge_words(pattern, k, job->finishes[i]);
         }
     }
-}
-
-
-/* is an edge one that is finished for itself: cut, in no seam, and of one layer? */
-static bool finish_free(const mus_pattern *pattern, int32_t edge)
-{
-    return mus_pattern_edge_panel(pattern, edge) != MUS_NONE && mus_pattern_edge_seam(pattern, edge) == MUS_NONE &&
-           !mus__sewing_inner(pattern, edge) && !mus__tell_double(pattern, mus_pattern_edge_panel(pattern, edge));
 }
 
 
@@ -126,12 +126,11 @@ static int32_t finish_edges(const mus__instructions *job, finish_edge *edges)
 {
     int32_t n = 0;
     for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
-        if (!finish_free(job->pattern, i)) continue;
+        if (!job->free[i]) continue;
         finish_edge *edge = &edges[n++];
         const int32_t panel = mus_pattern_edge_panel(job->pattern, i);
         mus__sewing_edge_words(job->pattern, i, edge->words);
         mus__sewing_words(mus_pattern_panel_name(job->pattern, panel), true, edge->panel);
-        edge->label = mus_pattern_edge_label(job->pattern, i);
         edge->length = mus_pattern_edge_length(job->pattern, i);
         edge->allowance = mus_pattern_edge_allowance(job->pattern, i);
         edge->elastic = finish_elastic(job->pattern, i);
@@ -151,27 +150,46 @@ static int32_t finish_groups(const mus__instructions *job, const finish_edge *ed
         group->count++;
         group->length += edges[i].length;
         for (int32_t k = 0; k < mus_pattern_panel_count(job->extra) && !group->faced; k++)
-            group->faced = finish_with(job, k, edges[i].label);
+            group->faced = finish_with(job, k, edges[i].words);
     }
     mus__sort(groups, (size_t)count, sizeof *groups, group_compare);
     return count;
 }
 
 
-/* write the panels that are sewn to edges with the label; of a rib also its length */
-static void tell_facings(mus__instructions *job, const char *label)
+/* write the panels that are sewn to edges with the words, and how */
+static void tell_facings(mus__instructions *job, const char *words)
 {
     double rib = 0.0;
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
-        if (!finish_with(job, i, label)) continue;
+        if (!finish_with(job, i, words)) continue;
         mus__list_add(job, job->extra, i);
-        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_RIB) > 0) rib = mus__tell_longest(job->extra, i);
+        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_RIB) > 0) rib = fmax(rib, mus__tell_longest(job->extra, i));
     }
+    const bool several = job->list.n > 1;
     mus__list_tell(job);
-    if (rib == 0.0) return;
+    if (rib == 0.0) {
+        mus__sink_print(&job->sink, "%s, sewn on right sides together, turned inside and pressed",
+                        several ? ", joined at their ends" : "");
+        return;
+    }
     mus__sink_print(&job->sink, ", ");
     mus__tell_length(&job->sink, rib);
     mus__sink_print(&job->sink, " long, closed to a ring, folded and stretched");
+}
+
+
+/* write how deep free edges are turned; nothing where the sheet sets the depth of one */
+static void tell_depth(mus__sink *sink, const finish_edge *edges, int32_t count)
+{
+    double least = HUGE_VAL, most = 0.0;
+    for (int32_t i = 0; i < count; i++) {
+        if (isnan(edges[i].allowance)) return;
+        least = fmin(least, edges[i].allowance);
+        most = fmax(most, edges[i].allowance);
+    }
+    if (lround(1e3 * least) < lround(1e3 * most)) mus__sink_print(sink, "%ld to ", lround(1e3 * least));
+    if (most > 0.0) mus__sink_print(sink, "%ld mm ", lround(1e3 * most));
 }
 
 
@@ -179,15 +197,12 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
 {
     const finish_edge *first = &edges[group->first];
     mus__sink *sink = &job->sink;
-    double least = HUGE_VAL, most = 0.0;
     bool elastic = false;
     mus__sink_print(sink, "%d. Finish the %s of ", (int)++job->number,
                     strcmp(first->words, first->panel) == 0 ? "free edge" : first->words);
     for (int32_t i = 0; i < group->count; i++) {
         if (i == 0 || strcmp(first[i].panel, first[i - 1].panel) != 0)
             mus__sink_print(sink, "%s%s", i > 0 ? ", " : "", first[i].panel);
-        least = fmin(least, first[i].allowance);
-        most = fmax(most, first[i].allowance);
         elastic = elastic || first[i].elastic;
     }
     mus__sink_print(sink, ", ");
@@ -195,12 +210,10 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
     mus__sink_print(sink, " in all");
     if (group->faced) {
         mus__sink_print(sink, ", with: ");
-        tell_facings(job, first->label);
+        tell_facings(job, first->words);
     } else {
         mus__sink_print(sink, ": turn ");
-        if (most > 0.0 && lround(1e3 * least) < lround(1e3 * most))
-            mus__sink_print(sink, "%ld to ", lround(1e3 * least));
-        if (most > 0.0) mus__sink_print(sink, "%ld mm ", lround(1e3 * most));
+        tell_depth(sink, first, group->count);
         mus__sink_print(sink, "to the wrong side and stitch%s",
                         elastic ? ", with a gap; draw the elastic in and close it" : "");
     }
@@ -210,13 +223,16 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
 
 /* ---- other parts ---- */
 
-/* first edge of the pattern with a label that a panel finishes, free or in a seam; MUS_NONE without one */
-static int32_t part_edge(const mus__instructions *job, int32_t panel, bool free)
+/* has the pattern edges that a panel finishes, free or in a seam? */
+static bool part_edges(const mus__instructions *job, int32_t panel, bool free)
 {
-    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++)
-        if (finish_free(job->pattern, i) == free && finish_with(job, panel, mus_pattern_edge_label(job->pattern, i)))
-            return i;
-    return MUS_NONE;
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern) && job->finishes[panel][0] != '\0'; i++) {
+        char words[MUS__WORDS];
+        if (job->free[i] != free) continue;
+        mus__sewing_edge_words(job->pattern, i, words);
+        if (finish_with(job, panel, words)) return true;
+    }
+    return false;
 }
 
 
@@ -228,8 +244,7 @@ static int32_t part_of(const mus__instructions *job, int32_t panel)
     int32_t worn = 0;
     for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++)
         if (m != MUS_MATERIAL_INTERFACING && m != MUS_MATERIAL_ELASTIC) worn += mus__tell_copies(job->extra, panel, m);
-    if (worn == 0 || part_edge(job, panel, true) != MUS_NONE || part_edge(job, panel, false) != MUS_NONE)
-        return MUS_NONE;
+    if (worn == 0 || part_edges(job, panel, true) || part_edges(job, panel, false)) return MUS_NONE;
     for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++)
         if (mus_pattern_mark(job->pattern, i, NULL, &name, NULL, NULL) == MUS_OK && strcmp(name, label) == 0)
             return MUS_NONE;
@@ -250,38 +265,45 @@ void mus__tell_parts(mus__instructions *job, bool last)
 }
 
 
-/* facings over seams, each label once: the first of its panels tells them */
+/* facings over seams, each kind of edge once: the first of its panels tells them */
 static void tell_over_seams(mus__instructions *job)
 {
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
-        const int32_t edge = part_edge(job, i, false);
         int32_t first = 0;
-        if (edge == MUS_NONE || part_edge(job, i, true) != MUS_NONE) continue;
-        const char *label = mus_pattern_edge_label(job->pattern, edge);
-        while (!finish_with(job, first, label)) first++;
+        if (part_edges(job, i, true) || !part_edges(job, i, false)) continue;
+        while (!finish_with(job, first, job->finishes[i])) first++;
         if (first < i) continue;
-        mus__sink_print(&job->sink, "%d. Sew over the seam of the %s and turn inside: ", (int)++job->number, label);
-        tell_facings(job, label);
+        mus__sink_print(&job->sink, "%d. Over the seam of the %s: ", (int)++job->number, job->finishes[i]);
+        tell_facings(job, job->finishes[i]);
         mus__sink_print(&job->sink, ".\n");
     }
 }
 
 
-/* an elastic that lies in no free edge */
+/* an elastic that lies in no free edge: at the first of its edges by words */
 static void tell_elastic(mus__instructions *job)
 {
-    const mus_pattern *pattern = job->pattern;
-    int32_t held = 0;
-    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
-        if (!finish_elastic(pattern, i)) continue;
-        if (finish_free(pattern, i)) return;
-        if (held++ == 0)
-            mus__sink_print(&job->sink, "%d. Stretch the elastic and sew it inside along the ", (int)++job->number);
-        if (held > 1) continue;
-        char words[MUS__WORDS];
-        mus__sewing_edge_words(pattern, i, words);
-        mus__sink_print(&job->sink, "%s.\n", words);
+    char least[MUS__WORDS] = "", words[MUS__WORDS];
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
+        if (!finish_elastic(job->pattern, i)) continue;
+        if (job->free[i]) return;
+        mus__sewing_edge_words(job->pattern, i, words);
+        if (least[0] == '\0' || strcmp(words, least) < 0) memcpy(least, words, sizeof least);
     }
+    if (least[0] != '\0')
+        mus__sink_print(&job->sink, "%d. Stretch the elastic and sew it inside along the %s.\n", (int)++job->number,
+                        least);
+}
+
+
+/* pieces of two layers: the second ones go on when the first ones are sewn */
+static void tell_layers(mus__instructions *job)
+{
+    for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
+        if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
+    mus__list_step(job, "Second layers, or linings",
+                   " Sew them to each other as the first ones, then to the first ones along the edges that no step "
+                   "names; turn them inside and close the last edge by hand.");
 }
 
 
@@ -294,6 +316,7 @@ mus_status mus__tell_finish(mus__instructions *job)
     const mus_status status = edges != NULL && groups != NULL ? MUS_OK : mus__print_memory(context, "the instructions");
     if (status == MUS_OK) {
         const int32_t n = finish_groups(job, edges, finish_edges(job, edges), groups);
+        tell_layers(job);
         tell_over_seams(job);
         for (int32_t i = 0; i < n; i++) tell_group_step(job, edges, &groups[i]);
         tell_elastic(job);

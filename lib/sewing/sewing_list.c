@@ -29,16 +29,23 @@ static int list_compare(const void *a, const void *b)
 }
 
 
+/* length of words without a number at their end */
+static size_t list_stem(const char *words)
+{
+    size_t n = strlen(words);
+    while (n > 0 && ((words[n - 1] >= '0' && words[n - 1] <= '9') || words[n - 1] == ' ')) n--;
+    return n > 0 ? n : strlen(words);
+}
+
+
 void mus__list_tell(mus__instructions *job)
 {
     char(*words)[MUS__WORDS] = job->list.words;
     mus__sort(words, (size_t)job->list.n, sizeof *words, list_compare);
     for (int32_t i = 0, last = 0; i < job->list.n; i++) {
-        const size_t size = strlen(words[last]);
-        if (i > 0 && strncmp(words[i], words[last], size) == 0 &&
-            words[i][size + strspn(words[i] + size, " 0123456789")] == '\0')
-            continue;
-        mus__sink_print(&job->sink, "%s%s", i > 0 ? ", " : "", words[i]);
+        const size_t size = list_stem(words[i]);
+        if (i > 0 && size == list_stem(words[last]) && strncmp(words[i], words[last], size) == 0) continue;
+        mus__sink_print(&job->sink, "%s%.*s", i > 0 ? ", " : "", (int)size, words[i]);
         last = i;
     }
     job->list.n = 0;

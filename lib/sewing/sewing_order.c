@@ -133,13 +133,25 @@ static void order_count_ends(order_job *job)
 
 /* ---- lines ---- */
 
-/* seam (by words) that an edge is in and that leads to another panel; MUS_NONE without one. `at` (seams of the
- * pattern) has the places by words */
-static int32_t order_outward(const order_job *job, const int32_t *at, int32_t edge)
+/* seams (by words) that an edge is in, MUS_NONE without one: one that leads to another panel, and a dart. Of several
+ * the last by words */
+typedef struct order_edge {
+    int32_t outward, dart;
+} order_edge;
+
+
+static void order_edges(const order_job *job, order_edge *edges)
 {
-    const int32_t seam = mus_pattern_edge_seam(job->sewing->pattern, edge);
-    if (seam == MUS_NONE || job->seams[at[seam]]->kind != MUS__SEWING_SEAM) return MUS_NONE;
-    return job->seams[at[seam]]->panel[0] != job->seams[at[seam]]->panel[1] ? at[seam] : MUS_NONE;
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->sewing->pattern); i++)
+        edges[i] = (order_edge){MUS_NONE, MUS_NONE};
+    for (int32_t i = 0; i < 2 * job->sewing->n; i++) {
+        const mus__sewn *seam = job->seams[i / 2];
+        order_edge *edge = &edges[seam->edge[i % 2]];
+        if (seam->kind == MUS__SEWING_DART)
+            edge->dart = i / 2;
+        else if (seam->kind == MUS__SEWING_SEAM && seam->panel[0] != seam->panel[1])
+            edge->outward = i / 2;
+    }
 }
 
 
@@ -170,22 +182,21 @@ static double order_straightness(const mus_pattern *pattern, const int32_t *edge
 
 
 /* add the places where the outline of a panel may run on from seam to seam */
-static void order_passes(order_job *job, const int32_t *at, int32_t panel)
+static void order_passes(order_job *job, const order_edge *in, int32_t panel)
 {
     int32_t n = 0;
     const int32_t *edges, *directions;
     const mus_pattern *pattern = job->sewing->pattern;
     if (mus_pattern_outline(pattern, panel, &n, &edges, &directions) != MUS_OK) return;
     for (int32_t i = 0; i < n; i++) {
-        const int32_t a = order_outward(job, at, edges[i]);
+        const int32_t a = in[edges[i]].outward;
         int32_t next = (i + 1) % n, darts = 0, ends[2];
         if (a == MUS_NONE) continue;
         for (; darts < n; darts += 2, next = (next + 2) % n) {
-            const int32_t leg = mus_pattern_edge_seam(pattern, edges[next]);
-            if (leg == MUS_NONE || job->seams[at[leg]]->kind != MUS__SEWING_DART) break;
-            if (mus_pattern_edge_seam(pattern, edges[(next + 1) % n]) != leg) break;
+            const int32_t leg = in[edges[next]].dart;
+            if (leg == MUS_NONE || in[edges[(next + 1) % n]].dart != leg) break;
         }
-        const int32_t b = order_outward(job, at, edges[next]);
+        const int32_t b = in[edges[next]].outward;
         if (b == MUS_NONE || a == b || job->npass >= 2 * job->sewing->n) continue;
         /* the two sides of a dart are one line when it is closed */
         const double straight = darts > 0 ? 1.0 : order_straightness(pattern, edges, directions, i, next);
@@ -286,18 +297,20 @@ static mus_status order_group(order_job *job)
     const int32_t n = job->sewing->n;
     order_sets lines = {NULL, NULL, NULL, 0};
     int32_t *work = mus__print_new(context, 2 * (int64_t)n, sizeof *work);
+    order_edge *edges = mus__print_new(context, mus_pattern_edge_count(job->sewing->pattern), sizeof *edges);
     mus_status status = MUS_OK;
-    if (work == NULL || !order_sets_make(context, n, &lines)) {
+    if (work == NULL || edges == NULL || !order_sets_make(context, n, &lines)) {
         status = mus__print_memory(context, "the order of sewing");
     } else {
-        for (int32_t i = 0; i < n; i++) work[job->seams[i]->seam] = i;
+        order_edges(job, edges);
         for (int32_t i = 0; i < n; i++) order_unite(&lines, i, job->seams[i]->family);
-        for (int32_t i = 0; i < mus_pattern_panel_count(job->sewing->pattern); i++) order_passes(job, work, i);
+        for (int32_t i = 0; i < mus_pattern_panel_count(job->sewing->pattern); i++) order_passes(job, edges, i);
         order_lines(job, &lines, work);
         order_tubes(job, &lines);
         order_chain(job, &lines, work);
     }
     mus__print_free(context, lines.link);
+    mus__print_free(context, edges);
     mus__print_free(context, work);
     return status;
 }
@@ -305,16 +318,32 @@ static mus_status order_group(order_job *job)
 
 /* ---- the order ---- */
 
+static int order_line_compare(const void *a, const void *b)
+{
+    const order_pass *p = a, *q = b;
+    return (p->line > q->line) - (p->line < q->line);
+}
+
+
 /* count the ends of each line where it runs straight on */
 static void order_count_own(order_job *job)
 {
-    for (int32_t p = 0; p < job->npass; p++) {
-        order_pass *pass = &job->passes[p];
-        pass->line = job->seams[pass->seam[0]]->line;
-        for (int32_t i = pass->line; i != MUS_NONE; i = job->seams[i]->next)
-            for (int32_t end = 0; end < 2; end++)
-                pass->own += order_at(job, job->seams[i], end) == &job->points[pass->point];
+    for (int32_t p = 0; p < job->npass; p++) job->passes[p].line = job->seams[job->passes[p].seam[0]]->line;
+    mus__sort(job->passes, (size_t)job->npass, sizeof *job->passes, order_line_compare);
+    for (int32_t p = 0; p < job->npass;) {
+        const int32_t line = job->passes[p].line;
+        for (int32_t i = line; i != MUS_NONE; i = job->seams[i]->next)
+            for (int32_t end = 0; end < 2; end++) {
+                order_point *at = order_at(job, job->seams[i], end);
+                at->sewn = at->step == line ? at->sewn + 1 : 1; /* both are free until the first step */
+                at->step = line;
+            }
+        for (; p < job->npass && job->passes[p].line == line; p++) {
+            const order_point *at = &job->points[job->passes[p].point];
+            job->passes[p].own = at->step == line ? at->sewn : 0;
+        }
     }
+    for (int32_t i = 0; i < job->npoint; i++) job->points[i].step = MUS_NONE;
 }
 
 

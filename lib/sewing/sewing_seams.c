@@ -9,22 +9,13 @@
 #include "sewing/sewing.h"
 
 
-bool mus__sewing_inner(const mus_pattern *pattern, int32_t edge)
+static mus__sewing_kind seam_kind(const mus__sewing *sewing, const mus_seam_def *def)
 {
-    int32_t n = 0, passed = 0;
-    const int32_t *edges;
-    if (mus_pattern_outline(pattern, mus_pattern_edge_panel(pattern, edge), &n, &edges, NULL) != MUS_OK) return false;
-    for (int32_t i = 0; i < n; i++) passed += edges[i] == edge;
-    return passed > 1;
-}
-
-
-static mus__sewing_kind seam_kind(const mus_pattern *pattern, const mus_seam_def *def)
-{
+    const mus_pattern *pattern = sewing->pattern;
     int32_t a[2], b[2];
     if (def->closure == MUS_CLOSURE_BUTTONS) return MUS__SEWING_BUTTONS;
     if (def->laid) return MUS__SEWING_DART;
-    if (mus__sewing_inner(pattern, def->edge_a) || mus__sewing_inner(pattern, def->edge_b)) return MUS__SEWING_PATCH;
+    if (sewing->passes[def->edge_a] > 1 || sewing->passes[def->edge_b] > 1) return MUS__SEWING_PATCH;
     if (def->closure != MUS_CLOSURE_NONE ||
         mus_pattern_edge_panel(pattern, def->edge_a) != mus_pattern_edge_panel(pattern, def->edge_b))
         return MUS__SEWING_SEAM;
@@ -32,15 +23,6 @@ static mus__sewing_kind seam_kind(const mus_pattern *pattern, const mus_seam_def
     mus_pattern_edge_ends(pattern, def->edge_a, &a[0], &a[1]);
     mus_pattern_edge_ends(pattern, def->edge_b, &b[0], &b[1]);
     return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1] ? MUS__SEWING_DART : MUS__SEWING_SEAM;
-}
-
-
-static int32_t seam_notches(const mus_pattern *pattern, int32_t edge)
-{
-    int32_t count = 0, own;
-    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++)
-        count += mus_pattern_notch(pattern, i, &own, NULL, NULL) == MUS_OK && own == edge;
-    return count;
 }
 
 
@@ -58,9 +40,10 @@ static int32_t seam_button_marks(const mus_pattern *pattern, int32_t panel)
 /* number of buttons of a closure: of the seam, else the marks on the side that has more */
 static int32_t seam_buttons(const mus_pattern *pattern, const mus_seam_def *def)
 {
+    if (def->closure != MUS_CLOSURE_BUTTONS || def->buttons > 0) return def->buttons;
     const int32_t a = seam_button_marks(pattern, mus_pattern_edge_panel(pattern, def->edge_a));
     const int32_t b = seam_button_marks(pattern, mus_pattern_edge_panel(pattern, def->edge_b));
-    return def->closure != MUS_CLOSURE_BUTTONS ? 0 : def->buttons > 0 ? def->buttons : a > b ? a : b;
+    return a > b ? a : b;
 }
 
 
@@ -97,18 +80,18 @@ static void seam_swap(int32_t *pair)
 }
 
 
-static void seam_read(const mus_pattern *pattern, int32_t seam, mus__sewn *out)
+static void seam_read(const mus__sewing *sewing, int32_t seam, mus__sewn *out)
 {
+    const mus_pattern *pattern = sewing->pattern;
     int32_t ends[2][2];
     mus_seam_def def;
     mus_seam_def_init(&def, sizeof def);
     if (mus_pattern_seam(pattern, seam, &def) != MUS_OK) return;
     out->seam = seam;
-    out->kind = seam_kind(pattern, &def);
+    out->kind = seam_kind(sewing, &def);
     out->edge[0] = def.edge_a;
     out->edge[1] = def.edge_b;
-    if (out->kind == MUS__SEWING_PATCH ? mus__sewing_inner(pattern, def.edge_a)
-                                       : seam_after(pattern, def.edge_a, def.edge_b))
+    if (out->kind == MUS__SEWING_PATCH ? sewing->passes[def.edge_a] > 1 : seam_after(pattern, def.edge_a, def.edge_b))
         seam_swap(out->edge);
     for (int32_t k = 0; k < 2; k++) {
         out->panel[k] = mus_pattern_edge_panel(pattern, out->edge[k]);
@@ -120,7 +103,7 @@ static void seam_read(const mus_pattern *pattern, int32_t seam, mus__sewn *out)
     if (def.direction == MUS_SEAM_REVERSED) seam_swap(ends[1]);
     for (int32_t k = 0; k < 2; k++)
         for (int32_t side = 0; side < 2; side++) out->point[k][side] = ends[side][k];
-    const int32_t a = seam_notches(pattern, out->edge[0]), b = seam_notches(pattern, out->edge[1]);
+    const int32_t a = sewing->notches[out->edge[0]], b = sewing->notches[out->edge[1]];
     out->notches = a < b ? a : b;
     out->tolerance = def.tolerance;
     out->buttons = seam_buttons(pattern, &def);
@@ -129,23 +112,43 @@ static void seam_read(const mus_pattern *pattern, int32_t seam, mus__sewn *out)
 }
 
 
-static int seam_compare(const void *a, const void *b)
+static int seam_number(long a, long b)
 {
-    const mus__sewn *s = *(mus__sewn *const *)a, *t = *(mus__sewn *const *)b;
-    for (int32_t i = 0; i < 4; i++) {
-        const int order = strcmp(s->words[i % 2][i / 2], t->words[i % 2][i / 2]);
-        if (order != 0) return order;
-    }
-    return (s->length[0] > t->length[0]) - (s->length[0] < t->length[0]);
+    return (a > b) - (a < b);
 }
 
 
-/* are two seams images of each other, left and right? */
+/* compare all but left and right, lengths to the millimetre */
+static int seam_compare_sideless(const mus__sewn *s, const mus__sewn *t)
+{
+    int order = strcmp(s->words[0][0], t->words[0][0]);
+    if (order == 0) order = strcmp(s->words[1][0], t->words[1][0]);
+    if (order == 0) order = seam_number(s->kind, t->kind);
+    if (order == 0) order = seam_number(s->zip, t->zip);
+    if (order == 0) order = seam_number(s->laid, t->laid);
+    if (order == 0) order = seam_number(s->buttons, t->buttons);
+    if (order == 0) order = seam_number(s->notches, t->notches);
+    for (int32_t k = 0; k < 2 && order == 0; k++)
+        order = seam_number(lround(1e3 * s->length[k]), lround(1e3 * t->length[k]));
+    return order;
+}
+
+
+static int seam_compare(const void *a, const void *b)
+{
+    const mus__sewn *s = *(mus__sewn *const *)a, *t = *(mus__sewn *const *)b;
+    int order = seam_compare_sideless(s, t);
+    for (int32_t k = 0; k < 2 && order == 0; k++) order = strcmp(s->words[k][1], t->words[k][1]);
+    for (int32_t k = 0; k < 2 && order == 0; k++) order = (s->length[k] > t->length[k]) - (s->length[k] < t->length[k]);
+    return order;
+}
+
+
+/* are two seams that follow each other by words the same but for left and right? */
 static bool seam_twins(const mus__sewn *s, const mus__sewn *t)
 {
-    return s->kind == t->kind && s->zip == t->zip && s->laid == t->laid &&
-           fabs(s->length[0] - t->length[0]) <= s->tolerance && strcmp(s->words[0][0], t->words[0][0]) == 0 &&
-           strcmp(s->words[1][0], t->words[1][0]) == 0;
+    return seam_compare_sideless(s, t) == 0 &&
+           (strcmp(s->words[0][1], t->words[0][1]) != 0 || strcmp(s->words[1][1], t->words[1][1]) != 0);
 }
 
 
@@ -177,13 +180,31 @@ static void seam_families(mus__sewing *sewing)
 {
     mus__sewn **seams = sewing->by_words;
     for (int32_t i = 0; i < sewing->n; i++) {
-        const bool twin = i > 0 && seam_twins(seams[seams[i - 1]->family], seams[i]);
+        const bool twin = i > 0 && seam_twins(seams[i - 1], seams[i]);
         seams[i]->family = twin ? seams[i - 1]->family : i;
         seams[seams[i]->family]->twins++;
     }
     for (int32_t i = 0; i < sewing->n; i++) {
         seams[i]->twins = seams[seams[i]->family]->twins;
+        seams[i]->millimetres = lround(1e3 * seams[seams[i]->family]->length[0]);
         seam_phrase(sewing->pattern, seams[i]);
+    }
+}
+
+
+/* count what stands on each edge */
+static void sewing_count(mus__sewing *sewing)
+{
+    const mus_pattern *pattern = sewing->pattern;
+    for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
+        int32_t n = 0;
+        const int32_t *edges;
+        if (mus_pattern_outline(pattern, i, &n, &edges, NULL) != MUS_OK) continue;
+        for (int32_t k = 0; k < n; k++) sewing->passes[edges[k]]++;
+    }
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t edge = MUS_NONE;
+        if (mus_pattern_notch(pattern, i, &edge, NULL, NULL) == MUS_OK && edge != MUS_NONE) sewing->notches[edge]++;
     }
 }
 
@@ -195,10 +216,13 @@ mus_status mus__sewing_make(mus_context *context, const mus_pattern *pattern, mu
     out->sewn = mus__print_new(context, n, sizeof *out->sewn);
     out->by_words = mus__print_new(context, n, sizeof *out->by_words);
     out->steps = mus__print_new(context, n, sizeof *out->steps);
-    if (out->sewn == NULL || out->by_words == NULL || out->steps == NULL)
+    out->passes = mus__print_new(context, mus_pattern_edge_count(pattern), sizeof *out->passes);
+    out->notches = mus__print_new(context, mus_pattern_edge_count(pattern), sizeof *out->notches);
+    if (out->sewn == NULL || out->by_words == NULL || out->steps == NULL || out->passes == NULL || out->notches == NULL)
         return mus__print_memory(context, "the order of sewing");
+    sewing_count(out);
     for (int32_t i = 0; i < n; i++) {
-        seam_read(pattern, i, &out->sewn[i]);
+        seam_read(out, i, &out->sewn[i]);
         out->by_words[i] = &out->sewn[i];
     }
     mus__sort(out->by_words, (size_t)n, sizeof *out->by_words, seam_compare);
@@ -209,6 +233,8 @@ mus_status mus__sewing_make(mus_context *context, const mus_pattern *pattern, mu
 
 void mus__sewing_free(mus__sewing *sewing)
 {
+    mus__print_free(sewing->context, sewing->notches);
+    mus__print_free(sewing->context, sewing->passes);
     mus__print_free(sewing->context, sewing->steps);
     mus__print_free(sewing->context, sewing->by_words);
     mus__print_free(sewing->context, sewing->sewn);

@@ -22,7 +22,7 @@ static void tell_pieces(mus__instructions *job)
     for (int32_t k = 0; k < 2; k++) {
         const mus_pattern *pattern = k == 0 ? job->pattern : job->extra;
         for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
-            char words[MUS__WORDS], cut[64];
+            char words[MUS__WORDS], cut[128];
             mus__piece piece;
             if (!mus__tell_printed(pattern, i)) continue;
             memset(&piece, 0, sizeof piece);
@@ -47,12 +47,18 @@ static mus__sink *notion(mus__instructions *job, bool *any)
 }
 
 
+static void tell_buttons(mus__sink *sink, const char *before, int32_t count, const char *after)
+{
+    mus__sink_print(sink, "%s%d button%s%s", before, (int)count, count == 1 ? "" : "s", after);
+}
+
+
 static void tell_notions(mus__instructions *job)
 {
     bool any = false;
     for (int32_t i = 0; i < job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i];
-        if (seam->buttons > 0) mus__sink_print(notion(job, &any), "- %d buttons\n", (int)seam->buttons);
+        if (seam->buttons > 0) tell_buttons(notion(job, &any), "- ", seam->buttons, "\n");
         if (!seam->zip) continue;
         mus__sink_print(notion(job, &any), "- a zip of ");
         mus__tell_length(&job->sink, seam->length[0]);
@@ -69,7 +75,7 @@ static void tell_notions(mus__instructions *job)
     }
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
-        if (count == 0) continue;
+        if (count == 0 || !mus__tell_printed(job->extra, i)) continue;
         mus__sink_print(notion(job, &any), "- elastic, %d x ", (int)count);
         mus__tell_length(&job->sink, mus__tell_longest(job->extra, i));
         mus__sink_print(&job->sink, "\n");
@@ -90,19 +96,28 @@ static void tell_preparation(mus__instructions *job)
     mus__list_step(job, "Fuse the interfacing to", "");
 
     for (int32_t i = 0; i < panels; i++)
-        if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
-    mus__list_step(job, "Two layers",
-                   " Sew the second layer, or the lining, to the first along the edges that no later "
-                   "step names, turn it inside, and fold its other edges in.");
-
-    for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
     mus__list_step(job, "Fold the pleats along their lines and hold them within the allowance", "");
+
+    for (int32_t i = 0; i < 2 * job->sewing.n; i++) {
+        const mus__sewn *seam = job->sewing.by_words[i / 2];
+        const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
+        if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0) {
+            char head[MUS__PHRASE], words[MUS__WORDS];
+            mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
+            snprintf(head, sizeof head, "Fold %ld mm at the %s to the wrong side and stitch", lround(1e3 * allowance),
+                     words);
+            mus__list_add(job, job->pattern, seam->panel[i % 2]);
+            if (i % 2 == 0 && seam->panel[0] != seam->panel[1]) continue; /* both sides in one step */
+            mus__list_step(job, head, "");
+        }
+    }
 
     /* patches whose place is marked, each below its name */
     for (int32_t k = 0; k < extras; k++) {
         const char *mark = mus_pattern_panel_label(job->extra, k);
         char words[MUS__WORDS], head[MUS__PHRASE];
+        if (!mus__tell_printed(job->extra, k)) continue;
         for (int32_t i = 0; i < panels; i++)
             if (mark[0] != '\0' && mus__tell_has_mark(job->pattern, i, mark)) mus__list_add(job, job->pattern, i);
         mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
@@ -126,29 +141,40 @@ typedef struct tell_group {
 
 static bool group_same(const mus__sewn *a, const mus__sewn *b)
 {
-    return strcmp(a->phrase, b->phrase) == 0 && a->zip == b->zip && a->laid == b->laid &&
-           (a->kind != MUS__SEWING_DART || lround(1e3 * a->length[0]) == lround(1e3 * b->length[0]));
+    return strcmp(a->phrase, b->phrase) == 0 && a->zip == b->zip && a->laid == b->laid && a->buttons == b->buttons &&
+           (a->kind != MUS__SEWING_DART || a->millimetres == b->millimetres);
 }
 
 
+/* by step, zips last, then by what is told; a family stands together */
 static int group_compare(const void *a, const void *b)
 {
     const mus__sewn *s = *(mus__sewn *const *)a, *t = *(mus__sewn *const *)b;
-    const int order = s->step != t->step ? (s->step > t->step) - (s->step < t->step) : strcmp(s->phrase, t->phrase);
-    if (order != 0) return order;
-    const int zips = s->zip - t->zip, laid = s->laid - t->laid;
-    if (zips != 0 || laid != 0) return zips != 0 ? zips : laid;
-    return (s->length[0] > t->length[0]) - (s->length[0] < t->length[0]);
+    const long keys[6][2] = {{s->step, t->step},
+                             {s->zip, t->zip},
+                             {s->laid, t->laid},
+                             {s->buttons, t->buttons},
+                             {s->millimetres, t->millimetres},
+                             {s->family, t->family}};
+    for (int32_t i = 0; i < 6; i++) {
+        const int order = i == 3 ? strcmp(s->phrase, t->phrase) : 0;
+        if (order != 0) return order;
+        /* darts of one length stand together; of other seams all that read alike do */
+        if (i == 4 && s->kind != MUS__SEWING_DART) continue;
+        if (keys[i][0] != keys[i][1]) return keys[i][0] < keys[i][1] ? -1 : 1;
+    }
+    return 0;
 }
 
 
+/* add up seams that read alike; halved when each of them is there left and right */
 static tell_group group_add(mus__sewn *const *seams, int32_t count)
 {
-    tell_group group = {{0.0, 0.0}, count, 0, true};
+    tell_group group = {{0.0, 0.0}, count, 0, count % 2 == 0};
     for (int32_t i = 0; i < count; i++) {
         for (int32_t k = 0; k < 2; k++) group.length[k] += seams[i]->length[k];
         group.notches += seams[i]->notches;
-        group.twins = group.twins && seams[i]->twins == 2;
+        group.twins = group.twins && seams[i]->twins == 2 && seams[i]->family == seams[i - i % 2]->family;
     }
     if (!group.twins) return group;
     for (int32_t k = 0; k < 2; k++) group.length[k] /= 2.0;
@@ -158,21 +184,27 @@ static tell_group group_add(mus__sewn *const *seams, int32_t count)
 }
 
 
-/* write how the longer side is brought to the length of the shorter one: a rib is stretched, else it is eased in */
-static void tell_ease(mus__instructions *job, const mus__sewn *seam, const tell_group *group)
+/* write the length of a seam, and how the other side is brought to it: a rib is stretched to the longer side, else the
+ * longer side is eased in, or its pleats shorten it */
+static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, const tell_group *group)
 {
-    const double ease = group->length[0] - group->length[1];
-    const int32_t longer = ease > 0.0 ? 0 : 1, shorter = 1 - longer;
+    const int32_t longer = group->length[0] > group->length[1] ? 0 : 1, shorter = 1 - longer;
+    const double ease = group->length[longer] - group->length[shorter];
     const bool rib = mus__tell_copies(job->pattern, seam->panel[shorter], MUS_MATERIAL_RIB) > 0;
-    const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
+    const int32_t moved = rib ? shorter : longer;
+    mus__tell_length(&job->sink, group->length[1 - moved]);
+    if (group->notches > 0)
+        mus__sink_print(&job->sink, ", %d notch%s", (int)group->notches, group->notches == 1 ? "" : "es");
+    if (ease <= group->count * seam->tolerance || lround(1e3 * ease) == 0) return;
     char words[MUS__WORDS];
-    if (fabs(ease) <= group->count * seam->tolerance || lround(1e3 * fabs(ease)) == 0) return;
-    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[rib ? shorter : longer]), true, words);
-    mus__sink_print(&job->sink, "; %s%s by %ld mm",
+    const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
+    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[moved]), true, words);
+    mus__sink_print(&job->sink, "; %s%s from ",
                     rib      ? "stretch the "
-                    : pleats ? "the pleats shorten the "
+                    : pleats ? "pleats shorten the "
                              : "ease or gather the ",
-                    words, lround(1e3 * fabs(ease)));
+                    words);
+    mus__tell_length(&job->sink, group->length[moved]);
 }
 
 
@@ -189,11 +221,8 @@ static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t c
         mus__tell_length(sink, seam->length[0]);
     } else {
         mus__sink_print(sink, ", ");
-        mus__tell_length(sink, fmax(group.length[0], group.length[1]));
-        if (group.notches > 0)
-            mus__sink_print(sink, ", %d notch%s", (int)group.notches, group.notches == 1 ? "" : "es");
-        if (seam->buttons > 0) mus__sink_print(sink, ", %d buttons", (int)seam->buttons);
-        tell_ease(job, seam, &group);
+        tell_sewn_length(job, seam, &group);
+        if (seam->buttons > 0) tell_buttons(sink, ", ", seam->buttons, "");
     }
     mus__sink_print(sink, "%s\n", group.twins ? "; left and right alike" : "");
 }
@@ -204,7 +233,7 @@ static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool
 {
     static const char *const heads[] = {"Sew the darts", "Turn the edges in, lay on and stitch round", NULL,
                                         "Work the buttonholes and sew on the buttons"};
-    const char *head = step->rings <= 0 ? "Sew flat" : step->joins > 0 ? "Sew" : "Close";
+    const char *head = step->rings <= 0 || step->joins > 0 ? "Sew" : "Close";
     if (step->kind != MUS__SEWING_SEAM) head = heads[step->kind];
     mus__sink_print(&job->sink, "%d. %s%s:\n", (int)++job->number, head,
                     pleats                                      ? " and fold the pleats"
@@ -268,10 +297,12 @@ static mus_status instructions_write(const mus_pattern *pattern, const char *tit
     if (status == MUS_OK) status = mus__sewing_order(&job.sewing);
     job.list.words = mus__print_new(context, most, sizeof *job.list.words);
     job.finishes = mus__print_new(context, most, sizeof *job.finishes);
-    if (status == MUS_OK && (job.list.words == NULL || job.finishes == NULL))
+    job.free = mus__print_new(context, mus_pattern_edge_count(pattern), sizeof *job.free);
+    if (status == MUS_OK && (job.list.words == NULL || job.finishes == NULL || job.free == NULL))
         status = mus__print_memory(context, "the instructions");
     if (status == MUS_OK) status = instructions_tell(&job, title);
     if (status == MUS_OK) status = mus__sink_give(&job.sink, target);
+    mus__print_free(context, job.free);
     mus__print_free(context, job.finishes);
     mus__print_free(context, job.list.words);
     mus__sewing_free(&job.sewing);

@@ -45,15 +45,25 @@ void mus__sewing_words(const char *name, bool sideless, char *out)
         k = words_length(name);
         const bool side = (k == 4 && strncmp(name, "left", k) == 0) || (k == 5 && strncmp(name, "right", k) == 0) ||
                           (k == 1 && *name == 'r');
-        const char *word = k == 1 && *name == 'F' ? "front" : k == 1 && *name == 'B' ? "back" : name;
-        const size_t size = word == name ? k : strlen(word);
-        if (k == 0 || (sideless && side) || n + size + 2 > MUS__WORDS) continue;
+        /* a single letter is a word of its own only where it stands beside others */
+        const bool letter = k == 1 && full[1] != '\0';
+        const char *word = letter && *name == 'F' ? "front" : letter && *name == 'B' ? "back" : name;
+        if (k == 0 || (sideless && side)) continue;
+        size_t size = word == name ? k : strlen(word);
+        const size_t room = n + 2 < MUS__WORDS ? MUS__WORDS - n - 2 : 0;
+        if (size > room) size = room;
+        while (size > 0 && size < k && ((unsigned char)word[size] & 0xC0) == 0x80) size--; /* letters stay whole */
+        if (size == 0) break;
         if (n > 0) out[n++] = ' ';
         memcpy(out + n, word, size);
         n += size;
     }
     out[n] = '\0';
-    if (n == 0 && sideless) mus__sewing_words(full, false, out); /* a name of nothing but a side */
+    if (n > 0) return;
+    if (sideless)
+        mus__sewing_words(full, false, out); /* a name of nothing but a side */
+    else
+        snprintf(out, MUS__WORDS, "%s", full);
 }
 
 

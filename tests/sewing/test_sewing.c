@@ -165,14 +165,14 @@ static const char *const skirt_text =
     "\n"
     "Sewing, on the dashed lines, right sides together unless a step says otherwise\n"
     "1. Fuse the interfacing to: band.\n"
-    "2. Two layers: band. Sew the second layer, or the lining, to the first along the edges that no later step names, "
-    "turn it inside, and fold its other edges in.\n"
-    "3. Sew flat:\n"
+    "2. Sew:\n"
     "   - skirt back to skirt front at the side, 60.0 cm, 1 notch\n"
-    "4. Sew flat:\n"
-    "   - band (hem) to skirt front (waist), 100.0 cm; ease or gather the band by 500 mm\n"
-    "5. Close:\n"
+    "3. Sew:\n"
+    "   - band (hem) to skirt front (waist), 50.0 cm; ease or gather the band from 100.0 cm\n"
+    "4. Close:\n"
     "   - set in the zip: skirt back to skirt front at the side, 60.0 cm\n"
+    "5. Second layers, or linings: band. Sew them to each other as the first ones, then to the first ones along the "
+    "edges that no step names; turn them inside and close the last edge by hand.\n"
     "6. Finish the waist of skirt back, 70.0 cm in all: turn 25 mm to the wrong side and stitch, with a gap; draw the "
     "elastic in and close it.\n"
     "7. Finish the hem of skirt back, skirt front, 120.0 cm in all: turn 30 mm to the wrong side and stitch.\n";
@@ -252,6 +252,35 @@ START_TEST(a_line_waits_for_the_seam_that_it_crosses)
 END_TEST
 
 
+START_TEST(seams_without_names_are_no_twins)
+{
+    static const double sheet[] = {0.0, 0.0, 0.5, 0.0, 0.5, 0.6, 0.0, 0.6};
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    ck_assert_int_eq(mus_pattern_create(context, "tube", &pattern), MUS_OK);
+    const int32_t front = polygon(pattern, "front", 4, sheet), back = polygon(pattern, "back", 4, sheet);
+    for (int32_t i = 0; i < 2; i++) {
+        mus_seam_def def;
+        mus_seam_def_init(&def, sizeof def);
+        def.edge_a = front + (i == 0 ? 1 : 3);
+        def.edge_b = back + (i == 0 ? 3 : 1);
+        ck_assert_int_eq(mus_pattern_add_seam(pattern, &def, NULL), MUS_OK);
+    }
+    mus__sewing sewing;
+    ck_assert_int_eq(mus__sewing_make(context, pattern, &sewing), MUS_OK);
+    ck_assert_int_eq(mus__sewing_order(&sewing), MUS_OK);
+    ck_assert_int_eq(sewing.nstep, 2); /* the first lies flat, the second closes the tube */
+    for (int32_t i = 0; i < 2; i++) {
+        ck_assert_int_eq(sewing.sewn[i].twins, 1);
+        ck_assert_int_eq(sewing.steps[i].rings, i);
+    }
+    mus__sewing_free(&sewing);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(an_empty_pattern_has_no_steps)
 {
     mus_context *context = support_context();
@@ -299,7 +328,8 @@ START_TEST(names_are_words)
                                            {"side_r", "side", "side r"},
                                            {"", "", ""},
                                            {"left", "left", "left"},
-                                           {"--", "", ""},
+                                           {"--", "--", "--"},
+                                           {"F", "F", "F"},
                                            {"rightLeg2", "Leg2", "right Leg2"},
                                            {"\xc3\xa4rmel", "\xc3\xa4rmel", "\xc3\xa4rmel"}};
     char out[MUS__WORDS], longest[4 * MUS__WORDS];
@@ -312,7 +342,11 @@ START_TEST(names_are_words)
     memset(longest, 'a', sizeof longest);
     longest[sizeof longest - 1] = '\0';
     mus__sewing_words(longest, true, out);
-    ck_assert_uint_lt(strlen(out), MUS__WORDS);
+    ck_assert_uint_eq(strlen(out), MUS__WORDS - 2); /* cut: room for a space and the zero byte */
+    memset(longest, '\xa4', sizeof longest - 1);
+    for (size_t i = 0; i + 1 < sizeof longest; i += 2) longest[i] = '\xc3';
+    mus__sewing_words(longest, true, out);
+    ck_assert_uint_eq(strlen(out) % 2, 0); /* letters of two bytes stay whole */
 }
 END_TEST
 
@@ -326,6 +360,7 @@ Suite *mus_suite_sewing(void)
     tcase_add_test(tcase, every_design_is_sewn_as_a_workshop_sews);
     tcase_add_test(tcase, the_text_of_a_skirt);
     tcase_add_test(tcase, a_line_waits_for_the_seam_that_it_crosses);
+    tcase_add_test(tcase, seams_without_names_are_no_twins);
     tcase_add_test(tcase, an_empty_pattern_has_no_steps);
     tcase_add_test(tcase, a_failure_has_a_status_and_leaves_nothing);
     tcase_add_test(tcase, names_are_words);

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/sort.h"
-#include "sewing/sewing.h"
+#include "sewing/sewing_text.h"
 
 /* a free edge; its words say what is finished, those of its panel where */
 typedef struct finish_edge {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/sort.h"
-#include "sewing/sewing.h"
+#include "sewing/sewing_text.h"
 
 
 void mus__tell_length(mus__sink *sink, double length)

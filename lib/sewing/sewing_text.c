@@ -11,7 +11,7 @@
 
 #include "base/sort.h"
 #include "print/piece.h"
-#include "sewing/sewing.h"
+#include "sewing/sewing_text.h"
 
 
 /* ---- pieces ---- */

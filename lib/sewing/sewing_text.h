@@ -1,0 +1,55 @@
+/*
+ * sewing_text.h: the sentences of the instructions: what sewing_list.c, sewing_finish.c and sewing_text.c share.
+ */
+#ifndef MUS_SEWING_TEXT_H
+#define MUS_SEWING_TEXT_H
+
+#include "sewing/sewing.h"
+
+/* words that one sentence lists */
+typedef struct mus__words_list {
+    char (*words)[MUS__WORDS];
+    int32_t n;
+} mus__words_list;
+
+typedef struct mus__instructions {
+    const mus_pattern *pattern;
+    const mus_pattern *extra; /* panels that are cut and not draped, or NULL */
+    mus__sewing sewing;
+    char (*finishes)[MUS__WORDS]; /* (panels of `extra`) words of the edges that each finishes, "" for none */
+    bool *free;                   /* (edges) finished for itself: cut, in no seam, and of one layer */
+    mus__words_list list;         /* room for a word of each panel and each panel of `extra` */
+    mus__sink sink;
+    int32_t number; /* of the last step */
+} mus__instructions;
+
+/* write a length [m] as centimetres with one decimal, in every locale */
+void mus__tell_length(mus__sink *sink, double length);
+/* add the name of a panel to the list */
+void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel);
+/* write "a, b, c" and empty the list; a last number is left out, and equal words are told once */
+void mus__list_tell(mus__instructions *job);
+/* write a step: `head`, the list, `tail`; nothing when the list is empty */
+void mus__list_step(mus__instructions *job, const char *head, const char *tail);
+/* number of copies to cut of a panel or of the one that it is the mirror image of */
+int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t material);
+/* is a panel printed, and not as the image of another? */
+bool mus__tell_printed(const mus_pattern *pattern, int32_t panel);
+/* has a panel an image, or is it one? */
+bool mus__tell_mirrored(const mus_pattern *pattern, int32_t panel);
+/* is a panel sewn as two layers: cut twice without an image, or four times with one, or lined? */
+bool mus__tell_double(const mus_pattern *pattern, int32_t panel);
+/* length of the longest edge of a panel [m] */
+double mus__tell_longest(const mus_pattern *pattern, int32_t panel);
+/* has a panel a mark of that name? */
+bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *mark);
+
+/* set what the panels finish that are cut and not draped */
+void mus__finish_find(mus__instructions *job);
+/* write the steps of panels that are cut and not draped, and that no edge and no mark asks for: those that come before
+ * the seams, or after them */
+void mus__tell_parts(mus__instructions *job, bool last);
+/* write the steps that finish the free edges */
+mus_status mus__tell_finish(mus__instructions *job);
+
+#endif

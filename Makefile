@@ -170,6 +170,7 @@ TAPE := examples/tapes/w40.tape
 same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
 report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
+fuzz: APT_GROUP = fuzz
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf \

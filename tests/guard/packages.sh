@@ -3,7 +3,7 @@
 #
 # build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides;
 # ports: the cross compilers and the emulator of `make check-ports`, and MPFR for `make elementary`; report: what draws
-# the pictures of `make report`.
+# the pictures of `make report`; fuzz: libFuzzer and its sanitizers.
 # Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
 set -eu
 
@@ -15,6 +15,7 @@ ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-g
        gcc-mips-linux-gnu libc6-dev-mips-cross gcc-aarch64-linux-gnu libc6-dev-arm64-cross musl-tools wasi-libc
        libclang-rt-dev-wasm32 lld nodejs libmpfr-dev libgmp-dev"
 report="python3 python3-numpy python3-scipy python3-matplotlib"
+fuzz="clang libclang-rt-dev"
 
 wanted=""
 for group in "$@"; do
@@ -24,7 +25,8 @@ for group in "$@"; do
     ci) wanted="$wanted $ci" ;;
     ports) wanted="$wanted $ports" ;;
     report) wanted="$wanted $report" ;;
-    *) echo "packages.sh: group $group is unknown: build, test, ci, ports or report" >&2; exit 2 ;;
+    fuzz) wanted="$wanted $fuzz" ;;
+    *) echo "packages.sh: group $group is unknown: build, test, ci, ports, report or fuzz" >&2; exit 2 ;;
     esac
 done
 

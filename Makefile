@@ -232,7 +232,6 @@ $(STUDIES): %: # by a second make, so that pkg-config sees what was just install
 $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROGRAMS)),all)
 	@mkdir -p $(OUT)/out
 	$(Q)$(RUN_$*)
-# ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
 install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build

@@ -38,8 +38,8 @@ KERNEL_release = -O3 -fno-math-errno
 KERNEL =
 FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
-# no fused multiply-add: the same bits from every compiler; gcc 12 makes vfmaddsub of pairs all the same where it may
-SAME_BITS := $(if $(shell $(CC) -mno-fma -E -x c /dev/null 2>/dev/null),-mno-fma) -ffp-contract=off
+# no fused multiply-add, for equal bits: gcc 12 makes vfmaddsub of pairs where FMA or AVX-512 is; the clones have none
+SAME_BITS := $(foreach f,-mno-fma -mno-avx512f,$(if $(shell $(CC) $f -E -x c /dev/null 2>/dev/null),$f)) -ffp-contract=off
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)

@@ -3,7 +3,7 @@
 #
 # Asked of `make -n` with CFLAGS=-O2, as a distribution passes them: each file with arithmetic kernels is still compiled
 # with -O3 -fno-math-errno (an -O2 that came last made a drape 2.3 times slower), and every file with -ffp-contract=off,
-# which stands last.
+# which stands last. With -march=x86-64-v4, which has AVX-512, no instruction multiplies and adds with one rounding.
 set -eu
 cd "$(dirname "$0")/../.."
 status=0
@@ -26,4 +26,12 @@ done
 for flag in -fstack-protector-strong -D_FORTIFY_SOURCE; do
     [ -n "$(option_of lib/base/context.c "^$flag")" ] || { echo "lib/base/context.c is compiled without $flag"; status=1; }
 done
+
+# the files in which gcc 12 made vfmaddsub of AVX-512 when -mno-fma alone forbade it
+fused="block_skirt block_trousers block_waist"
+if ${CC:-cc} -march=x86-64-v4 -E -x c /dev/null >/dev/null 2>&1 && command -v objdump >/dev/null; then
+    MAKEFLAGS= make -s OUT="$scratch" CFLAGS='-O3 -march=x86-64-v4' $(printf "$scratch/obj/lib/block/%s.o " $fused)
+    count=$(for f in $fused; do objdump -d "$scratch/obj/lib/block/$f.o"; done | grep -cE '\bvfn?m(add|sub)' || true)
+    [ "$count" = 0 ] || { echo "lib/block with -march=x86-64-v4: $count instructions multiply and add at once"; status=1; }
+fi
 exit $status

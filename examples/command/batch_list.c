@@ -124,6 +124,7 @@ int batch_options(const batch *b, const batch_line *g, dress *d, const char **na
         whom = whom || AMONG(g->word[i], bodies);
         if (strcmp(g->word[i], "--view") == 0) d->look.views.count = 0;
         if (strcmp(g->word[i], "--over") == 0) d->over.count = 0;
+        if (strcmp(g->word[i], "--colour") == 0) d->look.colours.count = 0;
     }
     if (what) d->from.design = d->from.words = d->from.pattern = NULL;
     if (whom) {

@@ -229,7 +229,7 @@ int32_t dress_options(dress *d, option *table)
          "HOW  start of panels: file (as the pattern says) or found; default file, then found"},
         {"--self-contact", OPTION_FLAG, &d->self_contact, 0, 0, "contact of cloth with cloth"},
         {"--open", OPTION_FLAG, &d->open, 0, 0, "leave zips and buttons open"},
-        {"--colour", OPTION_TEXT, &d->look.colour, 0, 0, "C  #RRGGBB or a name"},
+        {"--colour", OPTION_LIST, &d->look.colours, 0, 0, "C  #RRGGBB or a name; repeatable, one a garment"},
         {"--texture", OPTION_TEXT, &d->look.texture, 0, 0, "FILE  a PNG as print of the cloth"},
         {"--repeat", OPTION_NUMBER, &d->look.repeat, 0.001, 10, "M  width of one repeat of the texture, default 0.1"},
         {"--map", OPTION_TEXT, &d->map, 0, 0, "NAME  colour the cloth by strain, pressure or ease"},

@@ -11,9 +11,10 @@
 #define PIXELS_WIDE 1800
 #define PIXELS_HIGH 1200
 
-/* default colours, linear RGB: body (unbleached linen) and garment (mid blue) */
+/* linear RGB: unbleached linen */
 static const double dummy_colour[3] = {0.62, 0.57, 0.51};
-static const double cloth_colour[3] = {0.13, 0.24, 0.42};
+const double palette[PALETTE][3] = {{0.13, 0.24, 0.42}, {0.42, 0.12, 0.13}, {0.14, 0.30, 0.20}, {0.50, 0.36, 0.12},
+                                    {0.28, 0.16, 0.34}, {0.10, 0.30, 0.36}, {0.46, 0.24, 0.16}, {0.20, 0.21, 0.24}};
 
 
 int look_check(const scene *s, const look *l)
@@ -22,8 +23,9 @@ int look_check(const scene *s, const look *l)
     double colour[3];
     int32_t width, height;
     render_camera camera;
-    if (l->colour != NULL && render_colour_parse(l->colour, colour, &error) != 0)
-        return complain(EXIT_INPUT, s->command, "--colour: %s", error.text);
+    for (int32_t i = 0; i < l->colours.count; i++)
+        if (render_colour_parse(l->colours.at[i], colour, &error) != 0)
+            return complain(EXIT_INPUT, s->command, "--colour: %s", error.text);
     if (l->pixels != NULL && render_size_parse(l->pixels, &width, &height, &error) != 0)
         return complain(EXIT_INPUT, s->command, "--pixels: %s", error.text);
     for (int32_t i = 0; i < l->views.count; i++)
@@ -33,6 +35,38 @@ int look_check(const scene *s, const look *l)
     if (l->texture != NULL && render_png_read(l->texture, &print, &error) != 0)
         return complain(EXIT_INPUT, s->command, "--texture: %s", error.text);
     render_image_free(&print);
+    return EXIT_DONE;
+}
+
+
+/* The colour of the garment worn as layer `layer`: asked for, or of the palette. */
+static void layer_colour(const look *l, int32_t layer, double *out)
+{
+    render_error error;
+    memcpy(out, palette[layer % PALETTE], sizeof palette[0]);
+    if (layer < l->colours.count) render_colour_parse(l->colours.at[layer], out, &error);
+}
+
+
+/* Colours of the nodes where garments are worn over one another. Returns an exit code. */
+static int garment_colours(const scene *s, const look *l, garment *g)
+{
+    const int32_t n = g->view[1].vertex_count, panels = s->pattern != NULL ? mus_pattern_panel_count(s->pattern) : 0;
+    double layers[MUS_LAYERS_MOST][3];
+    int32_t most = 0;
+    for (int32_t p = 0; p < panels; p++) {
+        const int32_t layer = mus_pattern_layer(s->pattern, p);
+        most = layer > most ? layer : most;
+    }
+    layer_colour(l, 0, g->view[1].colour);
+    if (most == 0) return EXIT_DONE;
+    g->colours = malloc((size_t)n * 3 * sizeof *g->colours + 1);
+    if (g->colours == NULL) return complain(EXIT_FAILED, s->command, "no memory for the garments' colours");
+    for (int32_t i = 0; i <= most; i++) layer_colour(l, i, layers[i]);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t layer = g->panels[i] < panels ? mus_pattern_layer(s->pattern, g->panels[i]) : 0;
+        memcpy(g->colours + 3 * (ptrdiff_t)i, layers[layer > 0 ? layer : 0], sizeof layers[0]);
+    }
     return EXIT_DONE;
 }
 
@@ -70,18 +104,19 @@ int garment_make(const scene *s, const look *l, const mus_body *body, const mus_
     view->texcoords = mus_cloth_rest(cloth);
     view->triangles = mus_cloth_triangles(cloth);
     view->two_sided = 1;
-    memcpy(view->colour, cloth_colour, sizeof cloth_colour);
+    out->panels = mus_cloth_node_panels(cloth);
+    if (s->pattern != NULL && !stitches_make(s->pattern, cloth, view->positions, out->normals, &out->sewn))
+        return complain(EXIT_FAILED, s->command, "no memory for the garment's seams");
     view->colour[3] = 1.0;
-    render_error error;
-    if (l->colour != NULL && render_colour_parse(l->colour, view->colour, &error) != 0)
-        return complain(EXIT_INPUT, s->command, "--colour: %s", error.text);
-    return EXIT_DONE;
+    return garment_colours(s, l, out);
 }
 
 
 void garment_free(garment *g)
 {
     free(g->normals);
+    free(g->colours);
+    stitches_free(&g->sewn);
     memset(g, 0, sizeof *g);
 }
 
@@ -176,18 +211,24 @@ int film_open(film *f, const scene *s, const look *l, const double *box)
 }
 
 
-/* Loads the meshes of body and garment, those that have vertices. Returns 0, or -1 with the error. */
+/* Loads the meshes of body, garment and buttons, those that have vertices; a map is drawn without seams.
+ * Returns 0, or -1 with the error. */
 static int load(film *f, const garment *g, render_error *error)
 {
-    render_mesh meshes[2];
+    render_mesh meshes[3];
     int32_t count = 0;
     if (g->view[0].vertex_count > 0) mesh_from_view(&g->view[0], RENDER_BODY, &meshes[count++]);
     if (g->view[1].vertex_count > 0) {
         mesh_from_view(&g->view[1], RENDER_CLOTH, &meshes[count]);
-        if (f->l->map != NULL) meshes[count].colours = f->l->map->colours;
+        meshes[count].colours = f->l->map != NULL ? f->l->map->colours : g->colours;
+        if (f->l->map == NULL && g->sewn.count > 0) {
+            meshes[count].panels = g->panels;
+            meshes[count].line_count = g->sewn.count, meshes[count].lines = g->sewn.lines;
+        }
         if (f->print.rgba != NULL) meshes[count].print = &f->print, meshes[count].print_width = f->l->repeat;
         count++;
     }
+    if (f->l->map == NULL && g->sewn.buttons.vertex_count > 0) meshes[count++] = g->sewn.buttons;
     const render_scene dressed = {count, meshes, 1, f->box};
     return render_load(f->r, &dressed, error);
 }

@@ -5,14 +5,20 @@
 #include "fitmap.h"
 #include "render/render.h"
 #include "scene.h"
+#include "stitches.h"
 
 /* The options of a picture; NULL when not given. */
 typedef struct look {
-    const char *colour, *texture, *pixels;
+    const char *texture, *pixels;
+    texts colours; /* of the garments, from the skin out; later ones take those of the palette */
     texts views;
     double repeat; /* width of one repeat of the texture [m] */
     const fit_map *map; /* colours of the cloth, with a legend; NULL: none */
 } look;
+
+/* default colours of garments, linear RGB, used in turn */
+#define PALETTE 8
+extern const double palette[PALETTE][3];
 
 /* Checks the options, and that the texture can be read, before the long work. Returns an exit code. */
 int look_check(const scene *s, const look *l);
@@ -21,6 +27,9 @@ int look_check(const scene *s, const look *l);
 typedef struct garment {
     double *normals; /* (nodes x 3) */
     mus_mesh_view view[2]; /* body, garment */
+    stitches sewn;         /* of the pattern of the scene */
+    const int32_t *panels; /* (nodes) of the garment, borrowed */
+    double *colours;       /* (nodes x 3) of garments over one another; NULL: one colour */
 } garment;
 
 /* Makes the views of body (may be NULL) and cloth in their present state. Returns an exit code. */

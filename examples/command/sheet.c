@@ -44,10 +44,6 @@ typedef struct sheet {
     unsigned char *rgba;       /* (tiles x high x wide x 4), shared */
 } sheet;
 
-/* colours of the cloth, linear RGB, used in turn */
-static const double palette[][3] = {{0.13, 0.24, 0.42}, {0.42, 0.12, 0.13}, {0.14, 0.30, 0.20}, {0.50, 0.36, 0.12},
-                                    {0.28, 0.16, 0.34}, {0.10, 0.30, 0.36}, {0.46, 0.24, 0.16}, {0.20, 0.21, 0.24}};
-
 
 /* ---- lists ---- */
 
@@ -189,7 +185,7 @@ static void tile_make(const sheet *sh, int32_t t, film *f)
     /* draw the tile; a garment that failed is drawn in its last state */
     const look plain = {0};
     if (drape != NULL && garment_make(&s, &plain, body, cloth, drape, &g) == EXIT_DONE) {
-        memcpy(g.view[1].colour, palette[d % (int32_t)(sizeof palette / sizeof *palette)], sizeof *palette);
+        memcpy(g.view[1].colour, palette[d % PALETTE], sizeof palette[0]);
         out->nodes = mus_cloth_node_count(cloth);
         out->drawn = film_tile(f, &g, sh->wide, sh->high, rgba) == EXIT_DONE;
     }

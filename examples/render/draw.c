@@ -206,7 +206,7 @@ static int draw_target_make(render *r, int32_t w, int32_t h, render_target *t, r
 }
 
 
-/* what all lit programs share; the map is on unit 0, a print on unit 1 */
+/* what all lit programs share; the map is on unit 0, a print on unit 1, seams on unit 2 */
 static void draw_program_use(render *r, const render_program *p, const draw_view *view, const render_light *light)
 {
     const render_gl *gl = &r->gl;
@@ -221,6 +221,7 @@ static void draw_program_use(render *r, const render_program *p, const draw_view
     gl->Uniform3f(p->rim, (GLfloat)view->rim[0], (GLfloat)view->rim[1], (GLfloat)view->rim[2]);
     gl->Uniform1i(p->shadow, 0);
     gl->Uniform1i(p->print, 1);
+    gl->Uniform1i(p->thread, 2);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D, light->map);
     gl->BindSampler(0, r->compare);
@@ -257,6 +258,11 @@ static void draw_body(render *r, const render_part *part)
     gl->Uniform1i(p->woven, part->kind == RENDER_CLOTH && part->has_texcoords);
     gl->Uniform1i(p->printed, part->print != 0);
     gl->Uniform2f(p->repeats, part->repeats[0], part->repeats[1]);
+    gl->Uniform1i(p->sewn, part->thread != 0);
+    gl->Uniform1f(p->stitch_texel, part->texel);
+    gl->ActiveTexture(GL_TEXTURE2);
+    gl->BindTexture(GL_TEXTURE_2D, part->thread);
+    gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, part->print);
     render_part_draw(r, part);
 }
@@ -282,9 +288,10 @@ static void draw_scene(render *r, const draw_view *view, const render_light *lig
     for (int32_t i = 0; i < r->part_count; i++)
         if (r->parts[i].kind == RENDER_FLOOR) draw_floor(r, &r->parts[i], view, light);
     draw_program_use(r, &r->body_program, view, light);
-    for (int kind = RENDER_CLOTH; kind >= RENDER_BODY; kind--)
+    static const int order[3] = {RENDER_TRIM, RENDER_CLOTH, RENDER_BODY}; /* from the outside in: less is drawn twice */
+    for (int k = 0; k < 3; k++)
         for (int32_t i = 0; i < r->part_count; i++)
-            if (r->parts[i].kind == kind) draw_body(r, &r->parts[i]);
+            if (r->parts[i].kind == order[k]) draw_body(r, &r->parts[i]);
     gl->BindSampler(0, 0);
     gl->ActiveTexture(GL_TEXTURE0);
 }

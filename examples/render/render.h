@@ -30,9 +30,24 @@ typedef struct render_image {
 /* What a mesh is made of. Cloth is seen from both sides: the triangles' counter-clockwise side is the right side. */
 #define RENDER_BODY 0
 #define RENDER_CLOTH 1
+#define RENDER_TRIM 3 /* buttons: hard and smooth, on the cloth */
 
 /* linear colour of the mannequin, as an initialiser */
 #define RENDER_SKIN {0.620, 0.602, 0.582}
+
+/* What is seen of a line on cloth. */
+#define RENDER_LINE_SEAM 0   /* two panels meet: the cloth dips into a groove */
+#define RENDER_LINE_STITCH 1 /* stitches, in thread of the cloth's colour */
+#define RENDER_LINE_EDGE 2   /* a finished edge: the cloth is folded there, and rounded */
+
+/* A line on the cloth, in the plane of a panel. It is drawn at the distance `offset` from its points, on both sides. */
+typedef struct render_line {
+    int32_t panel;
+    int32_t kind;         /* RENDER_LINE_* */
+    int32_t count;        /* of points, 2 or more */
+    const double *points; /* (count x 2), as texcoords [m]; closed when the last is the first */
+    double offset;        /* [m], 0: on the points */
+} render_line;
 
 typedef struct render_mesh {
     int32_t kind; /* RENDER_BODY or RENDER_CLOTH */
@@ -46,6 +61,10 @@ typedef struct render_mesh {
     double colour[3];          /* linear */
     const render_image *print; /* printed on the cloth and repeated, or NULL */
     double print_width;        /* of one repeat of the print [m]; its height follows from the picture */
+    const int32_t *panels;     /* (vertex_count) panel of each vertex, 0 and up; needed by lines. No triangle lies in
+                                  two panels */
+    int32_t line_count;
+    const render_line *lines;  /* (line_count) seams and stitches of a cloth; they need texcoords too */
 } render_mesh;
 
 typedef struct render_scene {

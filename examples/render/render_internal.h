@@ -16,6 +16,7 @@ typedef struct render_vertex {
     float texcoord[2]; /* [m] */
     float colour[3];   /* linear */
     float open[2];     /* share of the surroundings that light comes from: right side, wrong side */
+    float thread[2];   /* place in the map of seams and stitches, 0..1 */
 } render_vertex;
 
 /* a mesh as it lies in OpenGL */
@@ -30,6 +31,8 @@ typedef struct render_part {
     GLuint indices;
     GLuint print;       /* texture, 0 if none */
     float repeats[2];   /* repeats of the print per metre */
+    GLuint thread;      /* map of seams and stitches, 0 if none */
+    float texel;        /* side of its texel [m] */
     render_vertex *v;   /* (vertex_count), kept: light is fitted round it */
     int32_t *triangles; /* (index_count) */
 } render_part;
@@ -54,7 +57,10 @@ typedef struct render_part {
     X(middle)                  \
     X(joined)                  \
     X(size)                    \
-    X(picture)
+    X(picture)                 \
+    X(sewn)                    \
+    X(thread)                  \
+    X(stitch_texel)
 
 typedef struct render_program {
     GLuint id;
@@ -112,6 +118,11 @@ void render_programs_free(render *r);
 
 /* scene.c */
 void render_scene_free(render *r);
+
+/* thread.c: the map of the lines of a mesh, to the part's texture and its vertices. Distances are drawn up to the range
+ * [m]: wider than a pixel of a whole person */
+#define RENDER_THREAD_RANGE 0.008
+int render_thread_make(render *r, const render_mesh *m, render_part *part, render_error *error);
 
 /* occlusion.c: fills `open` of all parts */
 int render_occlusion(render *r, render_error *error);

@@ -33,9 +33,30 @@ static int scene_check_array(int32_t mesh, const char *what, int32_t n, int32_t 
 }
 
 
+/* lines of seams and stitches, and the panels of the vertices that they need */
+static int scene_check_lines(const render_mesh *m, int32_t mesh, render_error *error)
+{
+    if (!m->texcoords || !m->panels || !m->lines)
+        return render_fail(error, "mesh %d: lines need texture coordinates and panels", (int)mesh);
+    for (int32_t i = 0; i < m->vertex_count; i++)
+        if (m->panels[i] < 0 || m->panels[i] >= m->vertex_count)
+            return render_fail(error, "mesh %d: vertex %d is of panel %d, expected 0 to %d", (int)mesh, (int)i,
+                               (int)m->panels[i], (int)m->vertex_count - 1);
+    for (int32_t i = 0; i < m->line_count; i++) {
+        const render_line *line = &m->lines[i];
+        if (line->kind < RENDER_LINE_SEAM || line->kind > RENDER_LINE_EDGE || line->count < 2 ||
+            !(line->offset >= 0.0 && line->offset <= 1.0))
+            return render_fail(error, "mesh %d: line %d of kind %d, %d points, offset %g m", (int)mesh, (int)i,
+                               (int)line->kind, (int)line->count, line->offset);
+        if (scene_check_array(mesh, "point of a line", line->count, 2, line->points, error)) return -1;
+    }
+    return 0;
+}
+
+
 static int scene_check_mesh(const render_mesh *m, int32_t mesh, render_error *error)
 {
-    if (m->kind != RENDER_BODY && m->kind != RENDER_CLOTH)
+    if (m->kind != RENDER_BODY && m->kind != RENDER_CLOTH && m->kind != RENDER_TRIM)
         return render_fail(error, "mesh %d: kind %d is unknown", (int)mesh, (int)m->kind);
     if (m->vertex_count < 3 || m->vertex_count > VERTICES_MAX || !m->positions)
         return render_fail(error, "mesh %d: %d vertices, expected 3 to %d", (int)mesh, (int)m->vertex_count,
@@ -50,6 +71,7 @@ static int scene_check_mesh(const render_mesh *m, int32_t mesh, render_error *er
     if (m->print && (!m->texcoords || !m->print->rgba || !(m->print_width >= 1e-4 && m->print_width <= 100.0)))
         return render_fail(error, "mesh %d: a print needs texture coordinates and a width of 0.0001 to 100 m, not %g",
                            (int)mesh, m->print_width);
+    if (m->line_count > 0 && scene_check_lines(m, mesh, error)) return -1;
     if (scene_check_array(mesh, "position", m->vertex_count, 3, m->positions, error) ||
         scene_check_array(mesh, "normal", m->vertex_count, 3, m->normals, error) ||
         scene_check_array(mesh, "texture coordinate", m->vertex_count, 2, m->texcoords, error) ||
@@ -240,11 +262,12 @@ static void part_upload(render *r, render_part *part)
     static const struct {
         GLint width;
         size_t offset;
-    } layout[5] = {{3, offsetof(render_vertex, position)},
+    } layout[6] = {{3, offsetof(render_vertex, position)},
                    {3, offsetof(render_vertex, normal)},
                    {2, offsetof(render_vertex, texcoord)},
                    {3, offsetof(render_vertex, colour)},
-                   {2, offsetof(render_vertex, open)}};
+                   {2, offsetof(render_vertex, open)},
+                   {2, offsetof(render_vertex, thread)}};
     const render_gl *gl = &r->gl;
 
     gl->GenVertexArrays(1, &part->array);
@@ -253,7 +276,7 @@ static void part_upload(render *r, render_part *part)
     gl->BindBuffer(GL_ARRAY_BUFFER, part->vertices);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)part->vertex_count * sizeof *part->v), part->v,
                    GL_STATIC_DRAW);
-    for (GLuint i = 0; i < 5; i++) {
+    for (GLuint i = 0; i < 6; i++) {
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, layout[i].width, GL_FLOAT, GL_FALSE, (GLsizei)sizeof(render_vertex),
                                 (const void *)(uintptr_t)layout[i].offset);
@@ -276,6 +299,7 @@ void render_scene_free(render *r)
         if (part->vertices) gl->DeleteBuffers(1, &part->vertices);
         if (part->indices) gl->DeleteBuffers(1, &part->indices);
         if (part->print) gl->DeleteTextures(1, &part->print);
+        if (part->thread) gl->DeleteTextures(1, &part->thread);
         free(part->v);
         free(part->triangles);
     }
@@ -295,6 +319,7 @@ static int scene_build(render *r, const render_scene *scene, render_error *error
     for (int32_t i = 0; i < count; i++) {
         if (part_fill(&r->parts[i], &scene->meshes[i], error)) return -1;
         if (scene->meshes[i].print && part_print(r, &r->parts[i], &scene->meshes[i], error)) return -1;
+        if (scene->meshes[i].line_count > 0 && render_thread_make(r, &scene->meshes[i], &r->parts[i], error)) return -1;
     }
     if (scene->floor && part_floor(&r->parts[count], r, error)) return -1;
 

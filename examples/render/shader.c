@@ -17,7 +17,7 @@
 
 #include <string.h>
 
-#define PIECES_MAX 4
+#define PIECES_MAX 5
 
 static const char shader_version[] = "#version 330 core\n";
 
@@ -101,6 +101,7 @@ static const char body_vertex[] =
     "layout(location = 2) in vec2 a_texcoord;\n"
     "layout(location = 3) in vec3 a_colour;\n"
     "layout(location = 4) in vec2 a_open;\n"
+    "layout(location = 5) in vec2 a_thread;\n"
     "uniform mat4 u_view;\n"
     "uniform vec3 u_eye;\n"
     "uniform int u_kind;\n"
@@ -109,12 +110,14 @@ static const char body_vertex[] =
     "centroid out vec2 v_texcoord;\n"
     "centroid out vec3 v_colour;\n"
     "centroid out vec2 v_open;\n"
+    "centroid out vec2 v_thread;\n"
     "void main() {\n"
     "    v_position = a_position;\n"
     "    v_normal = a_normal;\n"
     "    v_texcoord = a_texcoord;\n"
     "    v_colour = a_colour;\n"
     "    v_open = a_open;\n"
+    "    v_thread = a_thread;\n"
     "    vec3 behind = u_kind == 0 ? 0.006 * normalize(a_position - u_eye) : vec3(0.0);\n"
     "    gl_Position = u_view * vec4(a_position + behind, 1.0);\n"
     "}\n";
@@ -161,12 +164,41 @@ static const char weave[] =
     "    return vec3(1.0 + tone, slope);\n"
     "}\n";
 
+/* Seams and stitches, from the map of thread.c: 1 on a line and 0 at 8 mm. A groove and the fold of an edge tilt the
+ * surface across the line; thread lies in a dent of its own. What is narrower than a pixel (w metres wide) is drawn a
+ * pixel wide and fainter. sewn() gives (slope along weft, slope along warp, share of light lost, share of thread). */
+static const char sewn[] =
+    "uniform int u_sewn;\n"
+    "uniform sampler2D u_thread;\n"
+    "uniform float u_stitch_texel;\n" /* side of a texel [m] */
+    "float band(float away, float half_width, float w)\n"
+    "{\n"
+    "    return clamp((half_width + 0.5 * w - away) / w, 0.0, 1.0) * min(2.0 * half_width / w, 1.0);\n"
+    "}\n"
+    "vec4 sewn(vec2 at, float w)\n"
+    "{\n"
+    "    vec2 texel = 1.0 / vec2(textureSize(u_thread, 0));\n"
+    "    vec4 t = texture(u_thread, at);\n"
+    "    if (max(t.x, max(t.y, t.z)) <= 0.0) return vec4(0.0);\n"
+    "    vec2 right = vec2(texel.x, 0.0), up = vec2(0.0, texel.y);\n"
+    "    vec3 x = texture(u_thread, at + right).xyz - texture(u_thread, at - right).xyz;\n"
+    "    vec3 y = texture(u_thread, at + up).xyz - texture(u_thread, at - up).xyz;\n"
+    "    vec3 away = 0.008 * (1.0 - t.xyz);\n"
+    "    x *= 0.004 / u_stitch_texel, y *= 0.004 / u_stitch_texel;\n" /* of length 1, towards the line */
+    "    vec3 wide = max(vec3(0.0016, 0.0012, 0.0013), 0.6 * w);\n"
+    "    vec3 tilt = vec3(0.9, 0.45, 0.8) * exp(-(away * away) / (wide * wide)) * min(vec3(1.0), vec3(0.0022) / w);\n"
+    "    float dash = mix(1.0, smoothstep(0.18, 0.34, t.w), 1.0 - smoothstep(0.0006, 0.0016, w));\n"
+    "    float lost = 0.42 * band(away.x, 0.0006, w) + 0.20 * band(away.z, 0.0006, w);\n"
+    "    return vec4(dot(tilt, x), dot(tilt, y), lost, dash * band(away.y, 0.00045, w));\n"
+    "}\n";
+
 static const char body_head[] =
     "centroid in vec3 v_position;\n"
     "centroid in vec3 v_normal;\n"
     "centroid in vec2 v_texcoord;\n"
     "centroid in vec3 v_colour;\n"
     "centroid in vec2 v_open;\n"
+    "centroid in vec2 v_thread;\n"
     "out vec4 o_colour;\n"
     "uniform mat4 u_light;\n"
     "uniform vec3 u_eye;\n"
@@ -225,13 +257,21 @@ static const char body_fragment[] =
     "    if (u_woven != 0) {\n"
     "        vec2 dx = dFdx(v_texcoord), dy = dFdy(v_texcoord);\n"
     "        vec3 px = dFdx(v_position), py = dFdy(v_position);\n"
-    "        vec3 w = weave(v_texcoord, max(length(dx), length(dy)));\n"
+    "        float pixel = max(length(dx), length(dy));\n"
+    "        vec3 w = weave(v_texcoord, pixel);\n"
     "        base *= w.x;\n"
     "        float turn = sign(dx.x * dy.y - dx.y * dy.x);\n"
     "        vec3 weft = turn * (px * dy.y - py * dx.y), warp = turn * (py * dx.x - px * dy.x);\n"
     "        weft /= max(length(weft), 1e-9);\n"
     "        warp /= max(length(warp), 1e-9);\n"
     "        n = normalize(n + 0.35 * (weft * w.y + warp * w.z));\n"
+    "        if (u_sewn != 0) {\n"
+    "            vec4 s = sewn(v_thread, pixel);\n"
+    "            n = normalize(n + weft * s.x + warp * s.y);\n"
+    "            base *= 1.0 - s.z;\n"
+    "            float tone = dot(base, vec3(0.3, 0.6, 0.1));\n"
+    "            base = mix(base, tone > 0.3 ? 0.6 * base : 1.5 * base + 0.06, s.w);\n"
+    "        }\n"
     "        facing = max((dot(n, u_key) + wrap) / (1.0 + wrap), 0.0);\n"
     "    }\n"
     "    if (cloth && wrong) base *= 0.70;\n"
@@ -340,7 +380,7 @@ int render_programs_build(render *r, render_error *error)
     static const char *const depth[2][PIECES_MAX + 1] = {{depth_vertex}, {depth_fragment}};
     static const char *const back[2][PIECES_MAX + 1] = {{whole_vertex}, {back_fragment}};
     static const char *const ground[2][PIECES_MAX + 1] = {{spiral, floor_vertex}, {floor_fragment}};
-    static const char *const body[2][PIECES_MAX + 1] = {{body_vertex}, {weave, spiral, body_head, body_fragment}};
+    static const char *const body[2][PIECES_MAX + 1] = {{body_vertex}, {weave, sewn, spiral, body_head, body_fragment}};
     static const char *const finish[2][PIECES_MAX + 1] = {{whole_vertex}, {finish_fragment}};
 
     if (program_build(&r->gl, &r->depth_program, depth[0], depth[1], error) ||

@@ -17,8 +17,9 @@
 #define TEXELS_MOST 3e7              /* of a map, 120 MB; a larger cloth has larger texels */
 #define SIDE_MOST 8192               /* of a texture, in texels: what OpenGL 3.3 devices have room for */
 #define APART 4                      /* texels between panels, so that none shows at the rim of another */
-#define STITCH 0.004                 /* [m] from stitch to stitch: two and a half to the centimetre, as topstitches have */
+#define STITCH 0.004                 /* [m] from stitch to stitch: 2.5 to the centimetre, as topstitches are */
 #define RANGE RENDER_THREAD_RANGE
+#define FAR 1e9f                     /* [m] not measured */
 
 /* where a panel lies in the map */
 typedef struct thread_island {
@@ -32,7 +33,8 @@ typedef struct thread_map {
     double texel;
     int32_t side[2];
     unsigned char *rgba;
-    double *nearest; /* (texels) distance to the nearest stitch line yet [m] */
+    float *away;  /* (texels) of the line that is drawn: distance from its points, negative beyond its ends [m] */
+    float *along; /* (texels) and length of the line up to there [m] */
 } thread_map;
 
 
@@ -83,51 +85,66 @@ static int thread_pack(thread_map *map)
 }
 
 
-/* one chord of a line, as it is drawn */
+/* one chord of a line */
 typedef struct thread_chord {
-    int32_t kind;
     double from[2], to[2];
-    double offset;        /* the line lies so far from the chord, on both sides [m] */
-    double before;        /* length of the line before the chord [m] */
-    int32_t first, last;  /* nonzero: the line ends there, and nothing is drawn beyond */
+    double before;       /* length of the line before the chord [m] */
+    int32_t first, last; /* nonzero: the line ends there */
 } thread_chord;
 
 
-static void thread_texel(thread_map *map, size_t at, const thread_chord *c, double distance, double along)
+/* the texels of a panel within `reach` of a chord: low and high corner */
+static void thread_reach(const thread_map *map, const thread_island *island, const thread_chord *c, double reach,
+                         int32_t *low, int32_t *high)
 {
-    if (distance >= RANGE) return;
-    const unsigned char near = (unsigned char)(255.0 * (1.0 - distance / RANGE) + 0.5);
-    unsigned char *rgba = map->rgba + 4 * at;
-    if (near > rgba[c->kind]) rgba[c->kind] = near;
-    if (c->kind != RENDER_LINE_STITCH || distance >= map->nearest[at]) return;
-    const double turn = fmod(along, STITCH) / STITCH;
-    map->nearest[at] = distance;
-    rgba[3] = (unsigned char)(255.0 * fabs(2.0 * turn - 1.0));
-}
-
-
-/* the texels near a chord */
-static void thread_chord_draw(thread_map *map, const thread_island *island, const thread_chord *c)
-{
-    const double d[2] = {c->to[0] - c->from[0], c->to[1] - c->from[1]}, reach = c->offset + RANGE;
-    const double length = hypot(d[0], d[1]);
-    int32_t low[2], high[2];
     for (int k = 0; k < 2; k++) {
         const double most = (island->high[k] - island->low[k]) / map->texel + 1.0;
         const double a = (fmin(c->from[k], c->to[k]) - reach - island->low[k]) / map->texel;
         const double b = (fmax(c->from[k], c->to[k]) + reach - island->low[k]) / map->texel;
-        low[k] = (int32_t)fmax(floor(a), -1.0), high[k] = (int32_t)fmin(ceil(b), most);
+        low[k] = (int32_t)fmin(fmax(floor(a), -1.0), most), high[k] = (int32_t)fmax(fmin(ceil(b), most), -1.0);
     }
+}
+
+
+/* the distances of texels from the line, as far as this chord is the nearest; negative beyond its ends */
+static void thread_chord_measure(thread_map *map, const thread_island *island, const thread_chord *c, double reach)
+{
+    const double d[2] = {c->to[0] - c->from[0], c->to[1] - c->from[1]}, length = hypot(d[0], d[1]);
+    int32_t low[2], high[2];
+    thread_reach(map, island, c, reach, low, high);
     for (int32_t y = low[1]; y <= high[1] && length > 0.0; y++)
         for (int32_t x = low[0]; x <= high[0]; x++) {
             const double p[2] = {island->low[0] + x * map->texel - c->from[0],
                                  island->low[1] + y * map->texel - c->from[1]};
-            const double foot = (p[0] * d[0] + p[1] * d[1]) / (length * length);
-            if (c->offset > 0.0 && ((c->first && foot < 0.0) || (c->last && foot > 1.0))) continue;
-            const double t = fmin(fmax(foot, 0.0), 1.0);
-            const double away = fabs(hypot(p[0] - t * d[0], p[1] - t * d[1]) - c->offset);
+            const double foot = (p[0] * d[0] + p[1] * d[1]) / (length * length), t = fmin(fmax(foot, 0.0), 1.0);
+            const float away = (float)hypot(p[0] - t * d[0], p[1] - t * d[1]);
             const size_t at = (size_t)(island->at[1] + y) * (size_t)map->side[0] + (size_t)(island->at[0] + x);
-            thread_texel(map, at, c, away, c->before + t * length);
+            if (away >= fabsf(map->away[at])) continue;
+            const int beyond = (c->first && foot < 0.0) || (c->last && foot > 1.0);
+            map->away[at] = beyond ? -away : away;
+            map->along[at] = (float)(c->before + t * length);
+        }
+}
+
+
+/* draws what has been measured near a chord, and forgets it */
+static void thread_chord_draw(thread_map *map, const thread_island *island, const thread_chord *c,
+                              const render_line *line)
+{
+    int32_t low[2], high[2];
+    thread_reach(map, island, c, line->offset + RANGE, low, high);
+    for (int32_t y = low[1]; y <= high[1]; y++)
+        for (int32_t x = low[0]; x <= high[0]; x++) {
+            const size_t at = (size_t)(island->at[1] + y) * (size_t)map->side[0] + (size_t)(island->at[0] + x);
+            const float away = map->away[at];
+            const double distance = fabs(fabsf(away) - line->offset);
+            map->away[at] = FAR;
+            if (away == FAR || distance >= RANGE || (away < 0.0f && line->offset > 0.0)) continue;
+            const unsigned char near = (unsigned char)(255.0 * (1.0 - distance / RANGE) + 0.5);
+            unsigned char *rgba = map->rgba + 4 * at;
+            if (line->kind == RENDER_LINE_STITCH && near > rgba[line->kind])
+                rgba[3] = (unsigned char)(255.0 * fabs(2.0 * fmod(map->along[at], STITCH) / STITCH - 1.0));
+            if (near > rgba[line->kind]) rgba[line->kind] = near;
         }
 }
 
@@ -136,14 +153,18 @@ static void thread_line_draw(thread_map *map, const render_line *line)
 {
     const double *xy = line->points;
     const int closed = line->count > 2 && xy[0] == xy[2 * line->count - 2] && xy[1] == xy[2 * line->count - 1];
-    thread_chord c = {.kind = line->kind, .offset = line->offset};
     if (line->panel < 0 || line->panel >= map->islands) return;
-    for (int32_t i = 0; i + 1 < line->count; i++) {
-        memcpy(c.from, xy + 2 * i, sizeof c.from);
-        memcpy(c.to, xy + 2 * i + 2, sizeof c.to);
-        c.first = i == 0 && !closed, c.last = i + 2 == line->count && !closed;
-        thread_chord_draw(map, &map->island[line->panel], &c);
-        c.before += hypot(c.to[0] - c.from[0], c.to[1] - c.from[1]);
+    const thread_island *island = &map->island[line->panel];
+    for (int pass = 0; pass < 2; pass++) {
+        thread_chord c = {.before = 0.0};
+        for (int32_t i = 0; i + 1 < line->count; i++) {
+            memcpy(c.from, xy + 2 * i, sizeof c.from);
+            memcpy(c.to, xy + 2 * i + 2, sizeof c.to);
+            c.first = i == 0 && !closed, c.last = i + 2 == line->count && !closed;
+            if (pass == 0) thread_chord_measure(map, island, &c, line->offset + RANGE);
+            else thread_chord_draw(map, island, &c, line);
+            c.before += hypot(c.to[0] - c.from[0], c.to[1] - c.from[1]);
+        }
     }
 }
 
@@ -181,9 +202,10 @@ int render_thread_make(render *r, const render_mesh *m, render_part *part, rende
     while (!thread_pack(&map)) map.texel *= 1.25;
     const size_t texels = (size_t)map.side[0] * (size_t)map.side[1];
     map.rgba = calloc(texels, 4);
-    map.nearest = malloc(texels * sizeof *map.nearest);
-    if (!map.rgba || !map.nearest) goto done;
-    for (size_t i = 0; i < texels; i++) map.nearest[i] = RANGE;
+    map.away = malloc(texels * sizeof *map.away);
+    map.along = malloc(texels * sizeof *map.along);
+    if (!map.rgba || !map.away || !map.along) goto done;
+    for (size_t i = 0; i < texels; i++) map.away[i] = FAR;
     for (int32_t i = 0; i < m->line_count; i++) thread_line_draw(&map, &m->lines[i]);
     thread_places(&map, m, part);
     thread_upload(r, &map, part);
@@ -192,6 +214,7 @@ int render_thread_make(render *r, const render_mesh *m, render_part *part, rende
 done:
     free(map.island);
     free(map.rgba);
-    free(map.nearest);
+    free(map.away);
+    free(map.along);
     return rc ? render_fail(error, "no picture: out of memory for the seams") : 0;
 }

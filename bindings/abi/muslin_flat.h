@@ -1065,6 +1065,7 @@ const char *mus_design_name(int32_t design);
 const char *mus_design_family(int32_t design);
 const char *mus_design_title(int32_t design);
 const char *mus_design_words(int32_t design);
+const char *mus_design_fabric(int32_t design);
 int32_t mus_design_groups(int32_t design);
 int32_t mus_design_find(const char *name);
 mus_status mus_design_search(mus_context *context, const char *phrase, int32_t room, int32_t *designs, double *scores, int32_t *count);

@@ -128,8 +128,9 @@ static void shown_print(const scene *s, const shown *sh)
 {
     const int32_t d = sh->design, groups = mus_design_groups(d);
     char one[64];
-    printf("%s: %s\n  family  %s\n  for    %s%s%s\n  words   %s\n  axes   ", mus_design_name(d), mus_design_title(d),
-           mus_design_family(d), groups & MUS_GROUP_WOMEN ? " women" : "", groups & MUS_GROUP_MEN ? " men" : "",
+    printf("%s: %s\n  family  %s\n  fabric  %s\n  for    %s%s%s\n  words   %s\n  axes   ", mus_design_name(d),
+           mus_design_title(d), mus_design_family(d), mus_design_fabric(d),
+           groups & MUS_GROUP_WOMEN ? " women" : "", groups & MUS_GROUP_MEN ? " men" : "",
            groups & MUS_GROUP_CHILDREN ? " children" : "", mus_design_words(d));
     for (int32_t a = 1; a < mus_design_axis_count(); a++)
         if (axis_option(s, sh->words, a, one)) printf(" %s=%s", mus_design_axis_name(a), one);

@@ -82,6 +82,7 @@ void design_json_head(int32_t design, json *j)
     json_text(j, "family", mus_design_family(design));
     json_text(j, "title", mus_design_title(design));
     json_text(j, "words", mus_design_words(design));
+    json_text(j, "fabric", mus_design_fabric(design));
     json_open(j, "groups", '[');
     if (groups & MUS_GROUP_WOMEN) json_text(j, NULL, "women");
     if (groups & MUS_GROUP_MEN) json_text(j, NULL, "men");

@@ -179,6 +179,11 @@ static int write_shapes(dress *d)
 static int find_fabric(dress *d)
 {
     mus_fabric_init(&d->fabric, sizeof d->fabric);
+    if (d->fabric_name != NULL && strcmp(d->fabric_name, "own") == 0) {
+        const char *of = d->from.design;
+        d->fabric_name = of != NULL ? mus_design_fabric(mus_design_find(of)) : NULL;
+        if (d->fabric_name == NULL) return complain(EXIT_INPUT, "dress", "--fabric own needs --design NAME");
+    }
     const char *ending = d->fabric_name != NULL ? strrchr(d->fabric_name, '.') : NULL;
     if (ending != NULL && strcmp(ending, ".json") == 0) {
         mus_status status = mus_fabric_load(d->s.context, d->fabric_name, &d->fabric);
@@ -190,7 +195,7 @@ static int find_fabric(dress *d)
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, "%s%s", i == 0 ? "" : ", ", mus_fabric_name(i));
     }
-    return complain(EXIT_INPUT, "dress", "--fabric %s: expected a .json file or one of %s", d->fabric_name, names);
+    return complain(EXIT_INPUT, "dress", "--fabric %s: expected own, a .json file or one of %s", d->fabric_name, names);
 }
 
 
@@ -220,7 +225,7 @@ int32_t dress_options(dress *d, option *table)
         SOURCE_POSTURE(d->from),
         SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
-         "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), or FILE.json"},
+         "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), FILE.json, or own: that of the design"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  spacing of the nodes, default 10"},
         {"--nodes", OPTION_WHOLE, &d->nodes, 1, 1 << 24, "N  most nodes of the cloth, default 1048576"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10,

@@ -32,6 +32,10 @@ MUS_API const char *mus_design_title(int32_t design);
 /** Words of a design ("top neck=v sleeve=puff"); NULL outside. */
 MUS_API const char *mus_design_words(int32_t design);
 
+/** Name of the fabric that a design is meant for ("denim"), one that mus_fabric_find() knows; NULL outside. A drape
+ * takes another as well. */
+MUS_API const char *mus_design_fabric(int32_t design);
+
 /* Whom a design is for. */
 #define MUS_GROUP_WOMEN 1
 #define MUS_GROUP_MEN 2

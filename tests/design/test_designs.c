@@ -41,7 +41,23 @@ START_TEST(names_are_words_of_letters_and_differ)
     }
     ck_assert_ptr_null(mus_design_words(mus_design_count()));
     ck_assert_ptr_null(mus_design_words(-1));
+    ck_assert_ptr_null(mus_design_fabric(-1));
     ck_assert_int_eq(mus_design_groups(-1), 0);
+}
+END_TEST
+
+
+START_TEST(each_is_meant_for_a_fabric_that_there_is)
+{
+    for (int32_t d = 0; d < mus_design_count(); d++) {
+        mus_fabric fabric;
+        mus_fabric_init(&fabric, sizeof fabric);
+        ck_assert_msg(mus_fabric_find(mus_design_fabric(d), &fabric) == MUS_OK, "%s", mus_design_fabric(d));
+        const bool knit = strstr(mus_design_words(d), "cloth=knit") != NULL;
+        ck_assert_int_eq(knit, strcmp(mus_design_fabric(d), "jersey") == 0);
+    }
+    ck_assert_str_eq(mus_design_fabric(mus_design_find("jeans")), "denim");
+    ck_assert_str_eq(mus_design_fabric(mus_design_find("coat")), "wool");
 }
 END_TEST
 
@@ -297,6 +313,7 @@ Suite *mus_suite_designs(void)
     tcase_add_test(list, there_are_500_designs_in_12_families);
     tcase_add_test(list, names_are_words_of_letters_and_differ);
     tcase_add_test(list, words_are_read_and_differ);
+    tcase_add_test(list, each_is_meant_for_a_fabric_that_there_is);
     tcase_add_test(drafts, no_two_designs_are_the_same_garment);
     tcase_add_test(drafts, each_design_drafts_for_a_size_of_each_group);
     tcase_add_test(drafts, people_are_refused_seldom);

@@ -323,6 +323,7 @@
     X(mus_cloth_pair_seams, nothing, (w->have.cloth))                                                                  \
     X(mus_design_count, nothing, ())                                                                                   \
     X(mus_design_name, nothing, (0))                                                                                   \
+    X(mus_design_fabric, nothing, (0))                                                                                 \
     X(mus_design_family, nothing, (0))                                                                                 \
     X(mus_design_title, nothing, (0))                                                                                  \
     X(mus_design_words, nothing, (0))                                                                                  \

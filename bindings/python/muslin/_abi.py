@@ -907,6 +907,7 @@ FUNCTIONS = {
     "mus_design_family": ("core", c_char_p, [c_int32]),
     "mus_design_title": ("core", c_char_p, [c_int32]),
     "mus_design_words": ("core", c_char_p, [c_int32]),
+    "mus_design_fabric": ("core", c_char_p, [c_int32]),
     "mus_design_groups": ("core", c_int32, [c_int32]),
     "mus_design_find": ("core", c_int32, [c_char_p]),
     "mus_design_search": ("core", c_int32, [POINTER(mus_context), c_char_p, c_int32, POINTER(c_int32),

@@ -20,11 +20,12 @@ def _row(design: int) -> dict[str, Any]:
     bits = lib.mus_design_groups(design)
     return {"name": lib.mus_design_name(design).decode(), "family": lib.mus_design_family(design).decode(),
             "title": lib.mus_design_title(design).decode(), "words": lib.mus_design_words(design).decode(),
+            "fabric": lib.mus_design_fabric(design).decode(),
             "groups": [group for bit, group in GROUPS.items() if bits & bit]}
 
 
 def designs(phrase: str | None = None, most: int | None = None) -> list[dict[str, Any]]:
-    """[{"name", "family", "title", "words", "groups"}] of the named designs; groups: "women", "men", "children".
+    """[{"name", "family", "title", "words", "fabric", "groups"}] of the named designs; groups: "women", "men", "children".
 
     phrase: what a person types ("long sleeve tee", "kids dress", "skirt length=knee"): only the designs that match, the
     best first, with "score", 0 to 1; [] when none does. most: rows at most.

@@ -26,7 +26,8 @@
     X(catalogue, "a catalogue file: opened, searched, added to")                                                       \
     X(words, "words of a design: spelled, spelled again, drafted")                                                     \
     X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")                            \
-    X(defs, "words of option structs: each struct with some of its words overwritten")                                 \
+    X(defs, "words of option structs: of fabric, cloth and drape, with some of their words overwritten")               \
+    X(options, "words of every other option struct, and numbers of setters")                                           \
     X(calls, "numbers of calls: on contexts, tapes, bodies, patterns, cloths, drapes, any order")                      \
     X(memory, "the number of an allocation that fails, once or from then on, and calls as above")
 
@@ -53,6 +54,9 @@ typedef struct fuzz_input {
 uint32_t fuzz_take(fuzz_input *in, int count);             /* a number of `count` bytes, 1 to 4 */
 int32_t fuzz_below(fuzz_input *in, int32_t n);             /* -1 .. n, mostly within 0 .. n - 1 */
 double fuzz_real(fuzz_input *in, double low, double high); /* mostly within low .. high; else NaN, infinite, huge */
+
+/* overwrites up to three words of a struct, from its byte `from` on: of 4 or 8 bytes, by odd numbers */
+void fuzz_spoil(fuzz_input *in, void *def, size_t from, size_t size);
 
 /* the pattern in the bytes, or NULL */
 mus_pattern *fuzz_pattern_of(mus_context *context, const uint8_t *bytes, size_t size);

@@ -91,6 +91,7 @@ LIBRARIES := muslin $(foreach l,$(OWN_LIBRARY),$(if $(SRC_$(l)),$(l)))
 ARCHIVES := $(foreach l,$(OWN_LIBRARY) muslin,$(call library,$(l)).a)
 SHARED := $(foreach l,$(LIBRARIES),$(call library,$(l)).so.$(VERSION))
 A_TESTS := $(OUT)/obj/tests/parts.a
+A_COMMAND := $(OUT)/obj/examples/command.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
@@ -133,7 +134,8 @@ $(OUT)/suites.h: FORCE
 # ---- libraries: a static and a shared one from the same objects ----
 $(A_TESTS): $(call objects,$(TEST_PARTS))
 $(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects_of,$(l))))
-$(sort $(ARCHIVES) $(A_TESTS)):
+$(A_COMMAND): $(filter-out %/main.o,$(call objects,$(wildcard examples/command/*.c examples/render/*.c)))
+$(sort $(ARCHIVES) $(A_TESTS)) $(A_COMMAND):
 	$(call say,AR,$@)
 	@mkdir -p $(@D)
 	@rm -f $@
@@ -154,7 +156,7 @@ STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
-$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
+$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS) $(A_COMMAND)
 $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
@@ -163,7 +165,7 @@ $(EXAMPLES): $(OUT)/examples/%: $(OUT)/obj/examples/%.o
 $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS) $(A_COMMAND),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'

@@ -17,13 +17,14 @@
     X(pattern, "a pattern file of any form: read, written, read back, checked, its form")                              \
     X(dxf, "a DXF file, behind its line EOF a RUL file: read in two sizes, its seams proposed")                        \
     X(svg, "an SVG drawing: read, written, read back")                                                                 \
-    X(val, "a drawing of Valentina, behind its line </pattern> measurements: read without and with them")              \
+    X(val, "a drawing of Valentina, behind its line </pattern> measurements: without, with, in a size")              \
     X(tape, "a form of tape, and a tape file: read, completed, written, read back")                                    \
     X(fabric, "a fabric file: read, saved, read back")                                                                 \
     X(scan, "an OBJ file: read, and made a body")                                                                      \
     X(drape, "a pattern file: cut, placed, stepped five times")                                                        \
     X(print, "a pattern file: as sheet, PDF, SVG and DXF")                                                             \
     X(catalogue, "a catalogue file: opened, searched, added to")                                                       \
+    X(batch, "a list of a batch, and the part of a garment of an earlier run")                                         \
     X(words, "words of a design: spelled, spelled again, drafted")                                                     \
     X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")                            \
     X(defs, "words of option structs: of fabric, cloth and drape, with some of their words overwritten")               \

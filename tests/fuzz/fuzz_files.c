@@ -115,7 +115,7 @@ void fuzz_val(const uint8_t *bytes, size_t size)
     from.path = "fuzz.val";
     from.text = (const char *)bytes;
     from.text_size = end;
-    for (int32_t i = 0; i < 2; i++) {
+    for (int32_t i = 0; i < 3; i++) {
         mus_pattern *pattern = NULL;
         const mus_status status = mus_pattern_read_val(context, &from, &pattern);
         fuzz_must((status == MUS_OK) == (pattern != NULL), "a drawing gives a pattern exactly with MUS_OK");
@@ -124,6 +124,7 @@ void fuzz_val(const uint8_t *bytes, size_t size)
         from.measures_path = "fuzz.vit";
         from.measures = (const char *)bytes + end;
         from.measures_size = size - end;
+        from.size_name = i == 1 ? "520_1700" : NULL; /* of a table */
     }
     fuzz_context_end(context);
 }
@@ -135,8 +136,9 @@ void fuzz_tape(const uint8_t *bytes, size_t size)
     mus_context *context = fuzz_context();
     mus_tape *tape = NULL, *again = NULL;
     const char *form = forms[size > 0 ? bytes[0] % 4 : 0];
+    const char *row = size > 0 && bytes[0] / 4 % 2 ? "Bo" : NULL; /* of a table */
     const size_t head = size > 0;
-    if (mus_tape_read_from(context, (const char *)bytes + head, size - head, form, NULL, &tape) == MUS_OK) {
+    if (mus_tape_read_from(context, (const char *)bytes + head, size - head, form, row, &tape) == MUS_OK) {
         char *text = NULL;
         size_t length = 0;
         mus_tape_complete(tape);
@@ -175,10 +177,14 @@ void fuzz_scan(const uint8_t *bytes, size_t size)
     mus_context *context = fuzz_context();
     mus_mesh *mesh = NULL;
     mus_body *body = NULL;
+    mus_scan_def def;
+    mus_scan_def_init(&def, sizeof def);
+    def.spacing = 0.05, def.corners = 16, def.samples = 16, def.ring_spacing = 0.1; /* a person takes 0.1 s in place of 5 */
+    def.distances = size % 8 == 0;
     if (mus_mesh_read_obj_from(context, (const char *)bytes, size, "fuzz", &mesh) == MUS_OK &&
         mus_mesh_vertex_count(mesh) <= 4096)
         mus_body_create_scan(context, mus_mesh_vertex_count(mesh), mus_mesh_vertices(mesh),
-                             mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), NULL, NULL, &body);
+                             mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), &def, NULL, &body);
     mus_body_destroy(body);
     mus_mesh_destroy(mesh);
     fuzz_context_end(context);

@@ -18,7 +18,7 @@ all=$(sed -n 's/^    X(\([a-z]*\), .*/\1/p' tests/fuzz/fuzz.h)
 [ $# -gt 0 ] || set -- $all
 mkdir -p "$out/fuzz/found"
 build=$(cd "$out/fuzz" && pwd)
-archives="$build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
+archives="$build/obj/examples/command.a $build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
 flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined"
 MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives || exit 1
 sqlite=-lsqlite3
@@ -30,8 +30,8 @@ fi
 failed=0
 for target in "$@"; do
     case " $(echo $all) " in *" $target "*) ;; *) echo "run.sh: $target is no target: $all" >&2; exit 2 ;; esac
-    clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude tests/fuzz/entry.c tests/fuzz/fuzz*.c \
-        $archives $sqlite $(pkg-config --libs cairo jansson yaml-0.1 expat) -lm -pthread -o "$build/$target" || exit 1
+    clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude -Iexamples tests/fuzz/entry.c tests/fuzz/fuzz*.c \
+        $archives $sqlite $(pkg-config --libs cairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
     mkdir -p "$build/$target.corpus"
     log=$build/$target.log
     times >"$build/before" # of the shell itself: in a pipeline its children are not counted

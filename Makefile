@@ -152,12 +152,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
 $(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS) $(A_COMMAND)
-$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -171,7 +171,7 @@ $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
+same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench day: APT_GROUP = test
 report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
@@ -212,6 +212,7 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
 RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
+RUN_day = $(BIN)/day $(DAY)
 RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
 $(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \

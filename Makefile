@@ -214,6 +214,8 @@ RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
 RUN_day = $(BIN)/day $(DAY)
+RUN_hardening = $(MAKE) -s HARDEN_release= OUT='$(OUT)/soft' '$(OUT)/soft/bin/muslin' && $(PYTHON) tests/study/hardening/hardening.py \
+  --hard $(BIN)/muslin --soft '$(OUT)/soft/bin/muslin' $(HARDENING)
 RUN_attack = $(PYTHON) tests/guard/attack.py --run $(OUT)
 RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)

@@ -34,7 +34,7 @@ for target in "$@"; do
         $archives $sqlite $(pkg-config --libs cairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
     mkdir -p "$build/$target.corpus"
     log=$build/$target.log
-    times >"$build/before" # of the shell itself: in a pipeline its children are not counted
+    times >"$build/$target.before" # of the shell itself: in a pipeline its children are not counted
     cpu=0
     runs=0
     code=0
@@ -44,8 +44,8 @@ for target in "$@"; do
             -max_total_time=$((seconds - cpu)) -timeout=300 -rss_limit_mb=2048 -max_len=20000 -print_final_stats=1 \
             -artifact_prefix="$build/found/$target-" "$build/$target.corpus" tests/fuzz/seeds/"$target" >"$log" 2>&1
         code=$?
-        times >"$build/after"
-        cpu=$(cat "$build/before" "$build/after" | tr 'ms' '  ' |
+        times >"$build/$target.after"
+        cpu=$(cat "$build/$target.before" "$build/$target.after" | tr 'ms' '  ' |
             awk 'NR == 2 { start = $1 * 60 + $2 } NR == 4 { print int($1 * 60 + $2 - start + 0.5) }')
         runs=$((runs + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | grep . || echo 0)))
     done

@@ -216,6 +216,8 @@ RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/musli
 RUN_day = $(BIN)/day $(DAY)
 RUN_hardening = $(MAKE) -s HARDEN_release= OUT='$(OUT)/soft' '$(OUT)/soft/bin/muslin' && $(PYTHON) tests/study/hardening/hardening.py \
   --hard $(BIN)/muslin --soft '$(OUT)/soft/bin/muslin' $(HARDENING)
+RUN_coverage = $(MAKE) -s config=coverage OUT='$(OUT)/coverage' tests && $(PYTHON) tests/study/coverage/coverage.py \
+  --out '$(OUT)/coverage' $(COVERAGE)
 RUN_attack = $(PYTHON) tests/guard/attack.py --run $(OUT)
 RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
@@ -228,7 +230,7 @@ RUN_check-glb = MUSLIN_OUT='$(abspath $(OUT))' $(PYTHON) tests/study/trade/meshe
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
-NEEDS = check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
+NEEDS = coverage:lib check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

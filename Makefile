@@ -39,7 +39,7 @@ KERNEL =
 FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
 # no fused multiply-add, for equal bits: gcc 12 makes vfmaddsub of pairs where FMA or AVX-512 is; the clones have none
-SAME_BITS := $(foreach f,-mno-fma -mno-avx512f,$(if $(shell $(CC) $f -E -x c /dev/null 2>/dev/null),$f)) -ffp-contract=off
+SAME_BITS := $(foreach f,-mno-fma -mno-fma4 -mno-avx512f,$(if $(shell $(CC) $f -E -x c /dev/null 2>/dev/null),$f)) -ffp-contract=off
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
@@ -89,6 +89,7 @@ LIBRARIES := muslin $(foreach l,$(OWN_LIBRARY),$(if $(SRC_$(l)),$(l)))
 ARCHIVES := $(foreach l,$(OWN_LIBRARY) muslin,$(call library,$(l)).a)
 SHARED := $(foreach l,$(LIBRARIES),$(call library,$(l)).so.$(VERSION))
 A_TESTS := $(OUT)/obj/tests/parts.a
+A_COMMAND := $(OUT)/obj/examples/command.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
@@ -131,7 +132,8 @@ $(OUT)/suites.h: FORCE
 # ---- libraries: a static and a shared one from the same objects ----
 $(A_TESTS): $(call objects,$(TEST_PARTS))
 $(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects_of,$(l))))
-$(sort $(ARCHIVES) $(A_TESTS)):
+$(A_COMMAND): $(filter-out %/main.o,$(call objects,$(wildcard examples/command/*.c examples/render/*.c)))
+$(sort $(ARCHIVES) $(A_TESTS)) $(A_COMMAND):
 	$(call say,AR,$@)
 	@mkdir -p $(@D)
 	@rm -f $@
@@ -148,12 +150,12 @@ $(SHARED): $(LIB)/lib%.so.$(VERSION): lib/%.map
 	@ln -sf $(@F) $(LIB)/lib$*.so.$(ABI) && ln -sf lib$*.so.$(ABI) $(LIB)/lib$*.so
 # ---- programs: linked with the archives, so that they run from anywhere ----
 OUTSIDE = $(call pkg,--libs,$(foreach l,$(OWN_LIBRARY) examples,$(PKG_$(l))))
-STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams same figures)
+STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day same figures)
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
-$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
-$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
+$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS) $(A_COMMAND)
+$(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
 $(BIN)/tests: OUTSIDE = $(call pkg,--libs,$(PKG_tests) $(PKG_examples))
@@ -161,13 +163,13 @@ $(EXAMPLES): $(OUT)/examples/%: $(OUT)/obj/examples/%.o
 $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS) $(A_COMMAND),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
-same check check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench: APT_GROUP = test
+same check attack check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench day: APT_GROUP = test
 report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 fuzz: APT_GROUP = fuzz
@@ -209,6 +211,12 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
 RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
 RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
+RUN_day = $(BIN)/day $(DAY)
+RUN_hardening = $(MAKE) -s HARDEN_release= OUT='$(OUT)/soft' '$(OUT)/soft/bin/muslin' && $(PYTHON) tests/study/hardening/hardening.py \
+  --hard $(BIN)/muslin --soft '$(OUT)/soft/bin/muslin' $(HARDENING)
+RUN_coverage = $(MAKE) -s config=coverage OUT='$(OUT)/coverage' tests && $(PYTHON) tests/study/coverage/coverage.py \
+  --out '$(OUT)/coverage' $(COVERAGE)
+RUN_attack = $(PYTHON) tests/guard/attack.py --run $(OUT)
 RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
 $(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
@@ -220,7 +228,7 @@ RUN_check-glb = MUSLIN_OUT='$(abspath $(OUT))' $(PYTHON) tests/study/trade/meshe
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
-NEEDS = check:all check:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
+NEEDS = coverage:lib check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

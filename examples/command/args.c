@@ -192,7 +192,17 @@ bool output_check(const char *command, const char *path)
 }
 
 
-/* Checks that every output can be written, and that at most one goes to standard output. */
+/* Whether two outputs would be one file: the second would take the place of the first. A device takes both. */
+static bool is_same_file(const char *a, const char *b)
+{
+    struct stat one, two;
+    const bool there = stat(a, &one) == 0, both = there && stat(b, &two) == 0;
+    if (there && !S_ISREG(one.st_mode)) return false;
+    return strcmp(a, b) == 0 || (both && one.st_dev == two.st_dev && one.st_ino == two.st_ino);
+}
+
+
+/* Checks that every output can be written, each in a file of its own, and that at most one goes to standard output. */
 static bool check_outputs(const char *command, const option *options)
 {
     const option *first = NULL;
@@ -200,6 +210,11 @@ static bool check_outputs(const char *command, const option *options)
         if (o->kind != OPTION_OUTPUT && o->kind != OPTION_STDOUT) continue;
         const char *path = o->kind == OPTION_OUTPUT ? *(const char **)o->value : NULL;
         if (path != NULL && !output_check(command, path)) return false;
+        for (const option *p = options; path != NULL && !is_stdout(path) && p < o; p++) {
+            const char *other = p->kind == OPTION_OUTPUT ? *(const char **)p->value : NULL;
+            if (other != NULL && !is_stdout(other) && is_same_file(other, path))
+                return REFUSE(command, "%s and %s both write to %s", p->name, o->name, path);
+        }
         if (o->kind == OPTION_OUTPUT ? !is_stdout(path) : !*(bool *)o->value) continue;
         if (first != NULL) return REFUSE(command, "%s and %s both write to standard output", first->name, o->name);
         first = o;

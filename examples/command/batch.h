@@ -24,7 +24,7 @@ typedef struct batch {
     double jobs, limit; /* processes at a time; CPU seconds for a garment, 0: no limit */
     bool png, glb, obj, quiet;
     dress all; /* options given beside --batch, which hold for every line */
-    uint64_t program; /* hash of the program's version and bytes */
+    uint64_t program; /* hash of the program's version and bytes; 0: not known yet */
     int32_t count;
     batch_line *line;
     char *text, **words; /* text of the list; words of all lines */

@@ -315,7 +315,7 @@ static int keep_part(batch *b)
 
 int batch_read(batch *b)
 {
-    b->program = hash_program();
+    if (b->program == 0) b->program = hash_program();
     b->text = read_all(b->list);
     if (b->text == NULL) return EXIT_INPUT;
     const size_t length = strlen(b->text);

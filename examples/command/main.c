@@ -31,6 +31,8 @@ static const struct {
     {"verify", command_verify, "run cases with exact answers: error and tolerance"},
 };
 
+#define STACK_BYTES (320 << 10) /* 256 KiB of the library (muslin(3)), and the command's own */
+#define PAGE_BYTES 4096
 #define COMMANDS (sizeof commands / sizeof commands[0])
 
 
@@ -56,8 +58,18 @@ static const char *nearest(const char *text)
 }
 
 
+/* Takes the stack that the library needs from the system. Later, where memory is short, the system would end the program
+ * by a signal, in the middle of its work and without a sentence. */
+static __attribute__((noinline)) void take_stack(void)
+{
+    volatile char room[STACK_BYTES];
+    for (size_t i = sizeof room; i >= PAGE_BYTES; i -= PAGE_BYTES) room[i - 1] = 0;
+}
+
+
 int main(int argc, char **argv)
 {
+    take_stack();
     if (argc < 2) {
         fprintf(stderr, "muslin: no command is given; see muslin --help\n");
         return EXIT_INPUT;

@@ -7,6 +7,10 @@
 
 #include "base/thread_pool.h"
 
+/* [bytes] of a thread's stack. A pass of contact in double has 188 kB of local arrays, unoptimised code under sanitizers
+ * some more; what a C library gives by itself is 128 KiB (musl) to 8 MiB (glibc) */
+#define STACK_BYTES ((size_t)1 << 20)
+
 struct mus__pool {
     mus_context *context;
     int32_t threads;
@@ -55,15 +59,23 @@ mus_status mus__pool_create(mus_context *context, int32_t threads, mus__pool **o
     pthread_mutex_init(&pool->mutex, NULL);
     pthread_cond_init(&pool->wake, NULL);
     pthread_cond_init(&pool->done, NULL);
-    for (int32_t i = 1; i < threads; i++) {
-        if (pthread_create(&pool->thread[i], NULL, pool_main, pool) != 0) {
-            mus__pool_destroy(pool);
-            return mus__fail(context, MUS_ERR_LIMIT, "thread %d of %d cannot be started", (int)i + 1, (int)threads);
+    pthread_attr_t attr;
+    int trouble = pthread_attr_init(&attr);
+    if (trouble == 0) {
+        trouble = pthread_attr_setstacksize(&attr, STACK_BYTES);
+        for (int32_t i = 1; i < threads && trouble == 0; i++) {
+            trouble = pthread_create(&pool->thread[i], &attr, pool_main, pool);
+            if (trouble == 0) pool->started = i;
         }
-        pool->started = i;
+        pthread_attr_destroy(&attr);
     }
-    *out = pool;
-    return MUS_OK;
+    if (trouble == 0) {
+        *out = pool;
+        return MUS_OK;
+    }
+    const int32_t number = pool->started + 2;
+    mus__pool_destroy(pool);
+    return mus__fail(context, MUS_ERR_LIMIT, "thread %d of %d cannot be started", (int)number, (int)threads);
 }
 
 

@@ -211,6 +211,8 @@ static mus_status catalogue_begin_file(mus_catalogue *catalogue)
         if (status != MUS_OK) return status;
         return catalogue_do(catalogue, "PRAGMA application_id = 1297437507; PRAGMA user_version = 1; COMMIT");
     }
+    if (status == MUS_OK && id == 0 && tables == 0) /* as a first addition leaves it that was stopped before its end */
+        status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "an empty file: no pattern was added to it");
     if (status == MUS_OK && id != MUS__CATALOGUE_ID)
         status = mus__catalogue_fail(catalogue, MUS_ERR_FORMAT, "not a muslin catalogue");
     if (status == MUS_OK && version != MUS__CATALOGUE_VERSION)

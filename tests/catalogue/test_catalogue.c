@@ -183,6 +183,10 @@ START_TEST(what_is_no_catalogue_or_of_a_newer_version_is_refused)
     ck_assert_int_eq(mus_catalogue_open(NULL, path, 0, &catalogue), MUS_ERR_ARG);
     ck_assert_int_eq(mus_catalogue_open(context, path, 0, NULL), MUS_ERR_ARG);
 
+    /* what a first writer leaves that was killed before its first commit */
+    support_spill(path, "", 0);
+    ck_assert_int_eq(mus_catalogue_open(context, path, MUS_CATALOGUE_READ, &catalogue), MUS_ERR_FORMAT);
+    ck_assert(strstr(mus_context_error(context), "a.db: an empty file: no pattern was added to it") != NULL);
     mus_catalogue_destroy(open_catalogue(context, path, MUS_CATALOGUE_WRITE));
     mus_catalogue_destroy(open_catalogue(context, path, MUS_CATALOGUE_READ));
     do_sql(path, "PRAGMA user_version = 2");

@@ -50,6 +50,8 @@ def test_no_command_at_all_is_one_line(command, one_line):
     ([*PRINT, "--pdf", "-", "--json"], ["--pdf", "--json", "standard output"]),
     ([*DRESS, "--report", "-", "--json"], ["--report", "--json", "standard output"]),
     (["body", "--size", "W40", "--obj", "-", "--json"], ["--obj", "--json", "standard output"]),
+    ([*DRESS, "--obj", "a", "--glb", "a"], ["--glb", "--obj", "both write to a"]),
+    ([*PRINT, "--pdf", "a", "--svg", "a"], ["--pdf", "--svg", "both write to a"]),
     # names that are not known
     (["body", "--size", "W41"], ["W41", "W40", "M50", "C116"]),
     (["body", "--size", ""], ["size"]),
@@ -120,6 +122,14 @@ def test_a_full_standard_output_is_told(program, arguments):
                                        [*PRINT, "--svg"], [*DRESS, "--glb"], [*DRESS, "--report"]], ids=" ".join)
 def test_a_full_device_is_a_run_that_failed(command, arguments):
     assert b"cannot be written" in command(*arguments, "/dev/full", code=1).stderr
+
+
+def test_outputs_that_are_one_file_by_a_link_are_refused(command, one_line, tmp_path):
+    (tmp_path / "a.pdf").write_text("old")
+    (tmp_path / "b.svg").symlink_to("a.pdf")
+    said = one_line(command(*PRINT, "--pdf", "a.pdf", "--svg", "b.svg", code=2, cwd=tmp_path))
+    assert "both write to b.svg" in said and (tmp_path / "a.pdf").read_text() == "old"
+    command(*PRINT, "--pdf", "/dev/null", "--svg", "/dev/null")
 
 
 # ---- files that are none ----

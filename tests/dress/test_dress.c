@@ -2,6 +2,7 @@
  * test_dress.c: mus_dress() gives what the steps one by one give, tries another start where the first one fails, and
  * tells which starts it tried.
  */
+#include <pthread.h>
 #include <string.h>
 
 #include "drape/scenes.h"
@@ -282,6 +283,44 @@ START_TEST(without_memory_nothing_is_lost)
 END_TEST
 
 
+typedef struct in_thread {
+    const worn *w;
+    dressing *d;
+    mus_status status;
+} in_thread;
+
+
+static void *dress_in_thread(void *argument)
+{
+    in_thread *t = argument;
+    t->status = dressing_run(t->d, t->w);
+    return NULL;
+}
+
+
+/* muslin(3) promises it; contact in double has the largest local arrays */
+START_TEST(a_call_takes_at_most_256_kib_of_stack)
+{
+    worn w = skirt();
+    dressing d = dressing_start();
+    pthread_attr_t attr;
+    pthread_t thread;
+    d.def.precision = 64;
+    d.def.self_contact = 1;
+    d.def.threads = 1 + _i;
+    in_thread t = {&w, &d, MUS_ERR_STATE};
+    ck_assert_int_eq(pthread_attr_init(&attr), 0);
+    ck_assert_int_eq(pthread_attr_setstacksize(&attr, (SUPPORT_SLOW ? 8 : 1) * ((size_t)256 << 10)), 0);
+    ck_assert_int_eq(pthread_create(&thread, &attr, dress_in_thread, &t), 0);
+    ck_assert_int_eq(pthread_join(thread, NULL), 0);
+    ck_assert_int_eq(t.status, MUS_OK);
+    pthread_attr_destroy(&attr);
+    dressing_end(&d);
+    worn_end(&w);
+}
+END_TEST
+
+
 Suite *mus_suite_dress(void);
 Suite *mus_suite_dress(void)
 {
@@ -297,6 +336,7 @@ Suite *mus_suite_dress(void)
     tcase_add_test(tests, closures_are_left_open_in_a_copy);
     tcase_add_test(tests, arguments_are_looked_at);
     tcase_add_test(tests, without_memory_nothing_is_lost);
+    tcase_add_loop_test(tests, a_call_takes_at_most_256_kib_of_stack, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

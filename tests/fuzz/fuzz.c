@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "muslin/exchange.h"
 
@@ -92,6 +93,18 @@ double fuzz_real(fuzz_input *in, double low, double high)
     static const double odd[] = {NAN, INFINITY, -INFINITY, 1e308, -1e160, 5e-324, -0.0, 1e12};
     const uint32_t number = fuzz_take(in, 2);
     return number >= 65500 ? odd[number % 8] : low + (high - low) * (double)number / 65499.0;
+}
+
+
+void fuzz_spoil(fuzz_input *in, void *def, size_t from, size_t size)
+{
+    for (uint32_t n = fuzz_take(in, 1) % 4; n > 0; n--) {
+        const size_t at = from + 4 * (fuzz_take(in, 1) % ((size - from) / 4));
+        const double real = fuzz_real(in, -2.0, 2.0);
+        const int32_t whole = (int32_t)fuzz_take(in, 4);
+        const bool wide = at % 8 == 0 && at + 8 <= size && fuzz_take(in, 1) % 2;
+        memcpy((char *)def + at, wide ? (const void *)&real : (const void *)&whole, wide ? sizeof real : sizeof whole);
+    }
 }
 
 

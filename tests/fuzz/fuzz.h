@@ -17,16 +17,18 @@
     X(pattern, "a pattern file of any form: read, written, read back, checked, its form")                              \
     X(dxf, "a DXF file, behind its line EOF a RUL file: read in two sizes, its seams proposed")                        \
     X(svg, "an SVG drawing: read, written, read back")                                                                 \
-    X(val, "a drawing of Valentina, behind its line </pattern> measurements: read without and with them")              \
+    X(val, "a drawing of Valentina, behind its line </pattern> measurements: without, with, in a size")              \
     X(tape, "a form of tape, and a tape file: read, completed, written, read back")                                    \
     X(fabric, "a fabric file: read, saved, read back")                                                                 \
     X(scan, "an OBJ file: read, and made a body")                                                                      \
     X(drape, "a pattern file: cut, placed, stepped five times")                                                        \
     X(print, "a pattern file: as sheet, PDF, SVG and DXF")                                                             \
     X(catalogue, "a catalogue file: opened, searched, added to")                                                       \
+    X(batch, "a list of a batch, and the part of a garment of an earlier run")                                         \
     X(words, "words of a design: spelled, spelled again, drafted")                                                     \
     X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")                            \
-    X(defs, "words of option structs: each struct with some of its words overwritten")                                 \
+    X(defs, "words of option structs: of fabric, cloth and drape, with some of their words overwritten")               \
+    X(options, "words of every other option struct, and numbers of setters")                                           \
     X(calls, "numbers of calls: on contexts, tapes, bodies, patterns, cloths, drapes, any order")                      \
     X(memory, "the number of an allocation that fails, once or from then on, and calls as above")
 
@@ -53,6 +55,9 @@ typedef struct fuzz_input {
 uint32_t fuzz_take(fuzz_input *in, int count);             /* a number of `count` bytes, 1 to 4 */
 int32_t fuzz_below(fuzz_input *in, int32_t n);             /* -1 .. n, mostly within 0 .. n - 1 */
 double fuzz_real(fuzz_input *in, double low, double high); /* mostly within low .. high; else NaN, infinite, huge */
+
+/* overwrites up to three words of a struct, from its byte `from` on: of 4 or 8 bytes, by odd numbers */
+void fuzz_spoil(fuzz_input *in, void *def, size_t from, size_t size);
 
 /* the pattern in the bytes, or NULL */
 mus_pattern *fuzz_pattern_of(mus_context *context, const uint8_t *bytes, size_t size);

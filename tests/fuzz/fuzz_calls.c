@@ -102,19 +102,6 @@ void fuzz_edits(const uint8_t *bytes, size_t size)
 }
 
 
-/* overwrites words of a struct: of 4 or 8 bytes, by odd numbers */
-static void spoil(fuzz_input *in, void *def, size_t size)
-{
-    for (uint32_t n = fuzz_take(in, 1) % 4; n > 0; n--) {
-        const size_t at = 8 + 4 * (fuzz_take(in, 1) % ((size - 8) / 4));
-        const double real = fuzz_real(in, -2.0, 2.0);
-        const int32_t whole = (int32_t)fuzz_take(in, 4);
-        const bool wide = at % 8 == 0 && at + 8 <= size && fuzz_take(in, 1) % 2;
-        memcpy((char *)def + at, wide ? (const void *)&real : (const void *)&whole, wide ? sizeof real : sizeof whole);
-    }
-}
-
-
 void fuzz_defs(const uint8_t *bytes, size_t size)
 {
     const double cell[2] = {0.05, 0.05};
@@ -128,10 +115,10 @@ void fuzz_defs(const uint8_t *bytes, size_t size)
     mus_fabric_init(&fabric, sizeof fabric);
     mus_cloth_def_init(&cut, sizeof cut);
     mus_drape_def_init(&def, sizeof def);
-    spoil(&in, &fabric, sizeof fabric);
-    spoil(&in, &cut, sizeof cut);
+    fuzz_spoil(&in, &fabric, sizeof fabric.size, sizeof fabric);
+    fuzz_spoil(&in, &cut, sizeof cut.size, sizeof cut);
     cut.fabric = &fabric; /* a pointer is the caller's word */
-    spoil(&in, &def, sizeof def);
+    fuzz_spoil(&in, &def, sizeof def.size, sizeof def);
     if (def.threads > 2) def.threads = 2;
     if (mus_cloth_create_grid(context, 5, 4, cell, &cut, &cloth) == MUS_OK &&
         mus_drape_create(context, cloth, NULL, &def, &drape) == MUS_OK && mus_drape_place(drape) == MUS_OK) {

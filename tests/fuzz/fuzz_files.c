@@ -115,7 +115,7 @@ void fuzz_val(const uint8_t *bytes, size_t size)
     from.path = "fuzz.val";
     from.text = (const char *)bytes;
     from.text_size = end;
-    for (int32_t i = 0; i < 2; i++) {
+    for (int32_t i = 0; i < 3; i++) {
         mus_pattern *pattern = NULL;
         const mus_status status = mus_pattern_read_val(context, &from, &pattern);
         fuzz_must((status == MUS_OK) == (pattern != NULL), "a drawing gives a pattern exactly with MUS_OK");
@@ -124,6 +124,7 @@ void fuzz_val(const uint8_t *bytes, size_t size)
         from.measures_path = "fuzz.vit";
         from.measures = (const char *)bytes + end;
         from.measures_size = size - end;
+        from.size_name = i == 1 ? "520_1700" : NULL; /* of a table */
     }
     fuzz_context_end(context);
 }
@@ -135,8 +136,9 @@ void fuzz_tape(const uint8_t *bytes, size_t size)
     mus_context *context = fuzz_context();
     mus_tape *tape = NULL, *again = NULL;
     const char *form = forms[size > 0 ? bytes[0] % 4 : 0];
+    const char *row = size > 0 && bytes[0] / 4 % 2 ? "Bo" : NULL; /* of a table */
     const size_t head = size > 0;
-    if (mus_tape_read_from(context, (const char *)bytes + head, size - head, form, NULL, &tape) == MUS_OK) {
+    if (mus_tape_read_from(context, (const char *)bytes + head, size - head, form, row, &tape) == MUS_OK) {
         char *text = NULL;
         size_t length = 0;
         mus_tape_complete(tape);
@@ -175,10 +177,14 @@ void fuzz_scan(const uint8_t *bytes, size_t size)
     mus_context *context = fuzz_context();
     mus_mesh *mesh = NULL;
     mus_body *body = NULL;
+    mus_scan_def def;
+    mus_scan_def_init(&def, sizeof def);
+    def.spacing = 0.05, def.corners = 16, def.samples = 16, def.ring_spacing = 0.1; /* a person takes 0.1 s in place of 5 */
+    def.distances = size % 8 == 0;
     if (mus_mesh_read_obj_from(context, (const char *)bytes, size, "fuzz", &mesh) == MUS_OK &&
         mus_mesh_vertex_count(mesh) <= 4096)
         mus_body_create_scan(context, mus_mesh_vertex_count(mesh), mus_mesh_vertices(mesh),
-                             mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), NULL, NULL, &body);
+                             mus_mesh_triangle_count(mesh), mus_mesh_triangles(mesh), &def, NULL, &body);
     mus_body_destroy(body);
     mus_mesh_destroy(mesh);
     fuzz_context_end(context);
@@ -250,6 +256,53 @@ void fuzz_print(const uint8_t *bytes, size_t size)
 }
 
 
+/* a square of four edges, one seam joining two of them: a pattern with a form, which the seed good.db holds too */
+static mus_pattern *square(mus_context *context)
+{
+    static const double corner[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    int32_t edges[4], ahead[4] = {1, 1, 1, 1}, panel;
+    mus_pattern *pattern = NULL;
+    mus_edge_def edge;
+    mus_seam_def seam;
+    mus_edge_def_init(&edge, sizeof edge);
+    mus_seam_def_init(&seam, sizeof seam);
+    bool made = mus_pattern_create(context, "square", &pattern) == MUS_OK &&
+                mus_pattern_add_panel(pattern, "front", &panel) == MUS_OK;
+    for (int32_t i = 0; i < 4 && made; i++)
+        made = mus_pattern_add_point(pattern, panel, corner[i][0], corner[i][1], NULL) == MUS_OK;
+    for (int32_t i = 0; i < 4 && made; i++) {
+        edge.start = i, edge.end = (i + 1) % 4;
+        made = mus_pattern_add_edge(pattern, &edge, &edges[i]) == MUS_OK;
+    }
+    seam.edge_a = 1, seam.edge_b = 3;
+    fuzz_must(made && mus_pattern_set_outline(pattern, panel, 4, edges, ahead) == MUS_OK &&
+                  mus_pattern_add_seam(pattern, &seam, NULL) == MUS_OK,
+              "a square is made");
+    return pattern;
+}
+
+
+static void search_and_add(mus_catalogue *catalogue, const mus_pattern *pattern)
+{
+    int32_t ids[8], exact[8], count = 0, id;
+    double distances[8], parts[MUS_DISTANCE_COUNT];
+    char why[256];
+    const char *name;
+    mus_catalogue_count(catalogue);
+    mus_catalogue_exact(catalogue, pattern, ids, 8, &count);
+    mus_catalogue_nearest(catalogue, pattern, 8, ids, distances, exact, &count);
+    for (int32_t i = 0; i < count && i < 8; i++) {
+        mus_catalogue_name(catalogue, ids[i], &name);
+        mus_catalogue_explain(catalogue, pattern, ids[i], parts, why, sizeof why);
+    }
+    mus_catalogue_containing(catalogue, pattern, ids, 8, &count);
+    if (mus_catalogue_add(catalogue, pattern, "square", &id) == MUS_OK && mus_catalogue_begin(catalogue) == MUS_OK) {
+        mus_catalogue_add(catalogue, pattern, "again", &id);
+        mus_catalogue_rollback(catalogue);
+    }
+}
+
+
 void fuzz_catalogue(const uint8_t *bytes, size_t size)
 {
     char path[] = "/tmp/muslin-fuzz-XXXXXX";
@@ -257,17 +310,11 @@ void fuzz_catalogue(const uint8_t *bytes, size_t size)
     fuzz_must(file >= 0 && write(file, bytes, size) == (ssize_t)size && close(file) == 0, "a file is written");
     mus_context *context = fuzz_context();
     mus_catalogue *catalogue = NULL;
-    mus_pattern *pattern = NULL;
-    fuzz_must(mus_pattern_create(context, "empty", &pattern) == MUS_OK, "a pattern is made");
-    if (mus_catalogue_open(context, path, MUS_CATALOGUE_WRITE, &catalogue) == MUS_OK) {
-        int32_t ids[8], exact[8], count;
-        double distances[8];
-        mus_catalogue_exact(catalogue, pattern, ids, 8, &count);
-        mus_catalogue_nearest(catalogue, pattern, 8, ids, distances, exact, &count);
-        mus_catalogue_containing(catalogue, pattern, ids, 8, &count);
-        mus_catalogue_add(catalogue, pattern, "empty", &count);
-        mus_catalogue_destroy(catalogue);
-    }
+    mus_pattern *pattern = square(context);
+    const mus_status status = mus_catalogue_open(context, path, MUS_CATALOGUE_WRITE, &catalogue);
+    fuzz_must(status == MUS_OK || mus_context_error(context)[0] != '\0', "a refusal of a catalogue has a sentence");
+    if (status == MUS_OK) search_and_add(catalogue, pattern);
+    mus_catalogue_destroy(catalogue);
     mus_pattern_destroy(pattern);
     fuzz_context_end(context);
     unlink(path);

@@ -3,28 +3,38 @@
 # machine takes longer; all targets if none is given). Each line: CPU seconds, executions, edges that were covered,
 # findings. Memory is bounded to 2 GB, an input to 10 s of CPU time and 300 s by the clock. New inputs stay in
 # OUT/fuzz/NAME, findings in OUT/fuzz/found; a finding is mended, and its input becomes a seed in tests/fuzz/seeds/NAME.
-# Needs clang; without it, it says so.
+# Needs clang and its runtime; without them, it says so. SQLITE=sqlite3.c, the amalgamation (of sqlite.org, or of the
+# crate libsqlite3-sys): SQLite is built of it with the same sanitizers and counters, in place of the system's library.
 set -u
 out=$1
 seconds=$2
 shift 2
 cd "$(dirname "$0")/../.."
 command -v clang >/dev/null 2>&1 || { echo "skipped: there is no clang (Debian: clang)"; exit 0; }
+echo 'int LLVMFuzzerTestOneInput(const char *b, unsigned long n) { return b == 0 && n > 0; }' |
+    clang -fsanitize=fuzzer,address -x c - -o /dev/null 2>/dev/null ||
+    { echo "skipped: clang has no libFuzzer (Debian: libclang-rt-dev)"; exit 0; }
 all=$(sed -n 's/^    X(\([a-z]*\), .*/\1/p' tests/fuzz/fuzz.h)
 [ $# -gt 0 ] || set -- $all
 mkdir -p "$out/fuzz/found"
 build=$(cd "$out/fuzz" && pwd)
-archives="$build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
+archives="$build/obj/examples/command.a $build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
 flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined"
 MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives || exit 1
+sqlite=-lsqlite3
+if [ -n "${SQLITE:-}" ]; then
+    sqlite=$build/sqlite3.o
+    [ "$sqlite" -nt "$SQLITE" ] || clang $flags -w -fsanitize=fuzzer-no-link -DSQLITE_THREADSAFE=1 -DSQLITE_DEFAULT_MEMSTATUS=0 \
+        -DSQLITE_OMIT_LOAD_EXTENSION -c "$SQLITE" -o "$sqlite" || exit 1
+fi
 failed=0
 for target in "$@"; do
     case " $(echo $all) " in *" $target "*) ;; *) echo "run.sh: $target is no target: $all" >&2; exit 2 ;; esac
-    clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude tests/fuzz/entry.c tests/fuzz/fuzz*.c \
-        $archives $(pkg-config --libs cairo jansson yaml-0.1 expat sqlite3) -lm -pthread -o "$build/$target" || exit 1
+    clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude -Iexamples tests/fuzz/entry.c tests/fuzz/fuzz*.c \
+        $archives $sqlite $(pkg-config --libs cairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
     mkdir -p "$build/$target.corpus"
     log=$build/$target.log
-    times >"$build/before" # of the shell itself: in a pipeline its children are not counted
+    times >"$build/$target.before" # of the shell itself: in a pipeline its children are not counted
     cpu=0
     runs=0
     code=0
@@ -34,8 +44,8 @@ for target in "$@"; do
             -max_total_time=$((seconds - cpu)) -timeout=300 -rss_limit_mb=2048 -max_len=20000 -print_final_stats=1 \
             -artifact_prefix="$build/found/$target-" "$build/$target.corpus" tests/fuzz/seeds/"$target" >"$log" 2>&1
         code=$?
-        times >"$build/after"
-        cpu=$(cat "$build/before" "$build/after" | tr 'ms' '  ' |
+        times >"$build/$target.after"
+        cpu=$(cat "$build/$target.before" "$build/$target.after" | tr 'ms' '  ' |
             awk 'NR == 2 { start = $1 * 60 + $2 } NR == 4 { print int($1 * 60 + $2 - start + 0.5) }')
         runs=$((runs + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | grep . || echo 0)))
     done

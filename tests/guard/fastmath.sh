@@ -1,5 +1,6 @@
 #!/bin/sh
-# fastmath.sh: a build that may reorder sums or forget NaN ends at the first file, with a sentence that says why.
+# fastmath.sh: a build that may reorder sums, forget NaN or fuse multiply-adds ends at the first file, with a sentence
+# that says why.
 set -eu
 cd "$(dirname "$0")/../.."
 CC=${CC:-cc}
@@ -11,7 +12,9 @@ compiles -O2 || {
     echo "lib/base/status.c does not compile even without the flags"
     status=1
 }
-for flag in -ffast-math -ffinite-math-only "-O3 -ffast-math"; do
+fused=""
+case $($CC -dM -E -x c /dev/null) in *__clang__*) ;; *__x86_64__*) fused="-mfma -mfma4 -mavx512f" ;; esac
+for flag in -ffast-math -ffinite-math-only "-O3 -ffast-math" $fused; do
     if said=$(compiles $flag) || ! printf '%s\n' "$said" | grep -q 'IEEE 754'; then
         echo "$flag is not refused by name: ${said:-it compiles}"
         status=1

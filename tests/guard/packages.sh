@@ -2,20 +2,21 @@
 # packages.sh GROUP...: install the Debian packages of the groups that are missing, and say which.
 #
 # build: what `make` and `make dress` need; test: what `make check` needs besides; ci: what .ci/run needs besides;
+# fuzz: clang with the runtime of its sanitizers and of libFuzzer;
 # ports: the cross compilers and the emulator of `make check-ports`, and MPFR for `make elementary`; report: what draws
-# the pictures of `make report`; fuzz: libFuzzer and its sanitizers.
+# the pictures of `make report`.
 # Nothing is asked of the network when nothing is missing. A machine without apt is told the names.
 set -eu
 
 build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcairo2-dev
        libjansson-dev libyaml-dev libexpat1-dev libsqlite3-dev"
 test="check poppler-utils mandoc python3 python3-pytest python3-numpy python3-scipy python3-cffi luajit g++ locales"
-ci="clang cmake"
+ci="clang libclang-rt-dev cmake"
+fuzz="clang libclang-rt-dev"
 ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
        gcc-mips-linux-gnu libc6-dev-mips-cross gcc-aarch64-linux-gnu libc6-dev-arm64-cross musl-tools wasi-libc
        libclang-rt-dev-wasm32 lld nodejs libmpfr-dev libgmp-dev"
 report="python3 python3-numpy python3-scipy python3-matplotlib"
-fuzz="clang libclang-rt-dev"
 
 wanted=""
 for group in "$@"; do
@@ -23,10 +24,10 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     test) wanted="$wanted $test" ;;
     ci) wanted="$wanted $ci" ;;
+    fuzz) wanted="$wanted $fuzz" ;;
     ports) wanted="$wanted $ports" ;;
     report) wanted="$wanted $report" ;;
-    fuzz) wanted="$wanted $fuzz" ;;
-    *) echo "packages.sh: group $group is unknown: build, test, ci, ports, report or fuzz" >&2; exit 2 ;;
+    *) echo "packages.sh: group $group is unknown: build, test, ci, fuzz, ports or report" >&2; exit 2 ;;
     esac
 done
 

@@ -92,7 +92,8 @@ wasm=wasmtime
 for name in "$@"; do
     case $name in
     gcc-O0 | clang-O0 | clang-O2) port "$name" "${name%-*}" "-${name#*-} -pthread" ;;
-    gcc-O3 | clang-O3) port "$name" "${name%-*}" "-O3 -march=native -mno-fma -mno-avx512f -pthread" ;;
+    gcc-O3) port gcc-O3 gcc "-O3 -march=native -mno-fma -mno-fma4 -mno-avx512f -pthread" ;;
+    clang-O3) port clang-O3 clang "-O3 -march=native -pthread" ;;
     musl) port musl musl-gcc "-O2" ;;
     wasm32) port wasm32 clang "--target=wasm32-wasi -O2 -Wl,-z,stack-size=4194304 -Itests/study/ports/wasi" "$wasm" ;;
     aarch64) port aarch64 aarch64-linux-gnu-gcc "-O2 -pthread" qemu-aarch64 ;;

@@ -1,0 +1,163 @@
+/*
+ * nest_separate.c: move items of a strip of fixed length until none overlap.
+ *
+ * Guided local search: each item that overlaps is moved, in random order, to a place of less weighted loss. After each
+ * round the weights of the pairs that overlap grow, the most for the worst pair, and those of the others decay. So a
+ * pair that stays in the way becomes dear, until one of the two goes elsewhere.
+ * Source: Gardeyn, Vanden Berghe, Wauters, An open-source heuristic to reboot 2D nesting research, 2025 (sparrow),
+ * section 6, whose factors are taken over; Umetani and Murakami, Coordinate descent heuristics for the irregular strip
+ * packing problem of rasterized shapes, 2022; Voudouris and Tsang, Guided local search, 1999.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "nest/nest_internal.h"
+
+#define GROW_LEAST 1.2 /* factor of the weight of a pair that overlaps a little */
+#define GROW_MOST 2.0  /* of the worst pair */
+#define DECAY 0.95     /* of a pair that does not overlap */
+#define PROGRESS 0.98  /* a loss below this part of the least is progress */
+#define TELL 5000000   /* steps between two calls of progress; chosen: some milliseconds */
+
+
+bool mus__nest_over(mus__nest_run *run)
+{
+    const mus__nest_def *def = run->problem->def;
+    if (run->tells && def->progress != NULL && run->steps - run->told >= TELL && *run->stop == 0) {
+        run->told = run->steps;
+        const double done = fmin(1.0, (double)run->steps / (double)run->limit);
+        if (def->progress(def->user, done, run->best.length) != 0) *run->stop = 1;
+    }
+    return *run->stop != 0 || run->steps >= run->limit;
+}
+
+
+/* set the place of item i and its box */
+static void separate_lay(mus__nest_run *run, int32_t i, const mus__nest_at *at)
+{
+    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
+    double *box = run->box + 4 * (int64_t)i;
+    run->at[i] = *at;
+    box[0] = at->x - shape->half[0];
+    box[1] = at->x + shape->half[0];
+    box[2] = at->y - shape->half[1];
+    box[3] = at->y + shape->half[1];
+}
+
+
+/* set the losses of item i with the items from `first` on */
+static void separate_pairs(mus__nest_run *run, int32_t i, int32_t first)
+{
+    const int32_t n = run->problem->n;
+    const double *box = run->box + 4 * (int64_t)i;
+    const mus__nest_at *at = &run->at[i];
+    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
+    run->steps += n;
+    for (int32_t j = first; j < n; j++) {
+        const double *other = run->box + 4 * (int64_t)j;
+        double loss = 0.0;
+        if (!(box[0] > other[1] || box[1] < other[0] || box[2] > other[3] || box[3] < other[2] || j == i)) {
+            const double shift[2] = {run->at[j].x - at->x, run->at[j].y - at->y};
+            loss = mus__nest_loss(shape, mus__nest_shape_of(run, j, run->at[j].way), shift, run->near, &run->steps);
+        }
+        run->loss[(int64_t)i * n + j] = run->loss[(int64_t)j * n + i] = loss;
+    }
+    /* the item itself: beyond the end of the strip, which stripes may bring about */
+    if (box[1] > run->length * (1.0 + 1e-12)) run->loss[(int64_t)i * n + i] = run->problem->def->height * shape->size;
+}
+
+
+void mus__nest_put(mus__nest_run *run, int32_t i, const mus__nest_at *at)
+{
+    separate_lay(run, i, at);
+    separate_pairs(run, i, 0);
+}
+
+
+void mus__nest_keep(const mus__nest_run *run, double loss, mus__nest_kept *kept)
+{
+    kept->length = run->length;
+    kept->loss = loss;
+    memcpy(kept->at, run->at, (size_t)run->problem->n * sizeof *kept->at);
+}
+
+
+void mus__nest_restore(mus__nest_run *run, const mus__nest_kept *kept)
+{
+    const int32_t n = run->problem->n;
+    run->length = kept->length;
+    for (int32_t i = 0; i < n; i++) separate_lay(run, i, &kept->at[i]);
+    for (int32_t i = 0; i < n; i++) separate_pairs(run, i, i);
+}
+
+
+/* sum of the losses of all pairs, and the largest */
+static double separate_loss(const mus__nest_run *run, double *most)
+{
+    const int32_t n = run->problem->n;
+    double sum = 0.0;
+    *most = 0.0;
+    for (int32_t i = 0; i < n; i++) {
+        for (int32_t j = i; j < n; j++) {
+            const double loss = run->loss[(int64_t)i * n + j];
+            sum += loss;
+            *most = fmax(*most, loss);
+        }
+    }
+    return sum;
+}
+
+
+static void separate_weigh(mus__nest_run *run, double most)
+{
+    const int64_t n = run->problem->n;
+    for (int64_t k = 0; k < n * n; k++) {
+        const double loss = run->loss[k], weight = run->weight[k];
+        run->weight[k] = loss > 0.0 ? weight * (GROW_LEAST + (GROW_MOST - GROW_LEAST) * loss / most)
+                                    : fmax(1.0, weight * DECAY);
+    }
+}
+
+
+/* move each item that overlaps, in random order */
+static void separate_round(mus__nest_run *run)
+{
+    const int32_t n = run->problem->n;
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t k = mus__nest_below(run, i + 1);
+        run->order[i] = run->order[k];
+        run->order[k] = i;
+    }
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t i = run->order[k];
+        bool overlaps = false;
+        for (int32_t j = 0; j < n && !overlaps; j++) overlaps = run->loss[(int64_t)i * n + j] > 0.0;
+        if (overlaps) mus__nest_search(run, i);
+    }
+}
+
+
+bool mus__nest_separate(mus__nest_run *run, int32_t strikes, int32_t patience)
+{
+    const int64_t n = run->problem->n;
+    double most, loss = separate_loss(run, &most);
+    for (int64_t k = 0; k < n * n; k++) run->weight[k] = 1.0;
+    mus__nest_keep(run, loss, &run->least);
+    for (int32_t strike = 0; strike < strikes && loss > 0.0;) {
+        const double before = run->least.loss;
+        for (int32_t quiet = 0; quiet < patience && loss > 0.0; quiet++) {
+            if (mus__nest_over(run)) return false;
+            separate_round(run);
+            loss = separate_loss(run, &most);
+            if (loss < run->least.loss) {
+                if (loss < PROGRESS * run->least.loss) quiet = -1;
+                mus__nest_keep(run, loss, &run->least);
+            }
+            if (loss > 0.0) separate_weigh(run, most);
+        }
+        if (!(loss > 0.0)) break;
+        strike = run->least.loss < PROGRESS * before ? 0 : strike + 1;
+        mus__nest_restore(run, &run->least);
+    }
+    return !(loss > 0.0);
+}

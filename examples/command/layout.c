@@ -83,7 +83,8 @@ static void layout_line(const mus_layout *layout, int32_t material)
     char part[80] = "";
     if (folded > 0.0 && folded < length)
         snprintf(part, sizeof part, ", of which %.2f m folded and %.2f m open", folded, length - folded);
-    else if (folded > 0.0) snprintf(part, sizeof part, ", folded");
+    else if (folded > 0.0)
+        snprintf(part, sizeof part, ", folded");
     print_line("%s: %.2f m of %.2f m wide%s; %d pieces laid, %.1f %% of the cloth used", mus_material_name(material),
                length, mus_layout_width(layout), part, (int)mus_layout_piece_count(layout),
                100.0 * mus_layout_utilisation(layout));
@@ -95,9 +96,9 @@ static bool layout_file(const layout_asked *asked, int32_t material, bool first,
 {
     const char *dot = strrchr(asked->svg, '.'), *slash = strrchr(asked->svg, '/');
     const size_t stem = dot != NULL && (slash == NULL || dot > slash) ? (size_t)(dot - asked->svg) : strlen(asked->svg);
-    const int n = first ? snprintf(out, size, "%s", asked->svg)
-                        : snprintf(out, size, "%.*s-%s%s", (int)stem, asked->svg, mus_material_name(material),
-                                   asked->svg + stem);
+    const int n =
+        first ? snprintf(out, size, "%s", asked->svg)
+              : snprintf(out, size, "%.*s-%s%s", (int)stem, asked->svg, mus_material_name(material), asked->svg + stem);
     return n > 0 && (size_t)n < size && (first || !is_stdout(asked->svg));
 }
 
@@ -143,7 +144,8 @@ static int layout_all(const scene *s, const layout_asked *asked, json *j)
             continue;
         code = layout_material(s, asked, material, &laid, j);
     }
-    if (code == EXIT_DONE && laid == 0) return complain(EXIT_INPUT, "layout", "no piece of the pattern is cut of cloth");
+    if (code == EXIT_DONE && laid == 0)
+        return complain(EXIT_INPUT, "layout", "no piece of the pattern is cut of cloth");
     json_close(j, ']');
     json_warnings(j);
     json_close(j, '}');
@@ -154,8 +156,8 @@ static int layout_all(const scene *s, const layout_asked *asked, json *j)
 int command_layout(int argc, char **argv)
 {
     source from = {0};
-    layout_asked asked = {.width = 1400.0, .gap = -1.0, .allowance = -1.0, .effort = 1.0, .seed = 1.0, .runs = 1.0,
-                          .threads = 1.0};
+    layout_asked asked = {
+        .width = 1400.0, .gap = -1.0, .allowance = -1.0, .effort = 1.0, .seed = 1.0, .runs = 1.0, .threads = 1.0};
     const option options[] = {
         SOURCE_PATTERN(from),
         SOURCE_TAPE(from),
@@ -167,7 +169,8 @@ int command_layout(int argc, char **argv)
         {"--allowance", OPTION_NUMBER, &asked.allowance, 0, 100, "MM  seam allowance where the pattern has none"},
         {"--tolerance", OPTION_NUMBER, &asked.tolerance, 0, 11, "DEG  by which a piece may leave the grain, default 0"},
         {"--stripe", OPTION_NUMBER, &asked.stripe, 1, 10000, "MM  between stripes across the cloth: hems match"},
-        {"--effort", OPTION_NUMBER, &asked.effort, 0.0001, 10000, "N  billions of steps, about two seconds each, default 1"},
+        {"--effort", OPTION_NUMBER, &asked.effort, 0.0001, 10000,
+         "N  billions of steps, about two seconds each, default 1"},
         {"--runs", OPTION_WHOLE, &asked.runs, 1, 64, "N  searches, of which the shortest is taken, default 1"},
         {"--threads", OPTION_WHOLE, &asked.threads, 1, 64, "N  that share the runs, default 1; the result is the same"},
         {"--seed", OPTION_WHOLE, &asked.seed, 0, 1e9, "N  of the first run, default 1"},

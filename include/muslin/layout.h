@@ -1,9 +1,10 @@
 /*
  * muslin/layout.h: pieces on the cloth: where each is cut, and how many metres that takes.
  *
- * A layout has the pieces of one material of a pattern, with their allowances, on cloth of a given width: open or folded
- * lengthwise, with or without nap. The cloth runs along x from 0 on; y goes across it, from the fold or the selvedge at 0.
- * The grain of each piece runs along the cloth. Outlines that come from elsewhere are laid by the same search.
+ * A layout has the pieces of one material of a pattern, with their allowances, on cloth of a given width: open or
+ * folded lengthwise, with or without nap. The cloth runs along x from 0 on; y goes across it, from the fold or the
+ * selvedge at 0. The grain of each piece runs along the cloth. Outlines that come from elsewhere are laid by the same
+ * search.
  *
  * Units: metre, radian. The result depends on pieces, options and seed alone: neither on time nor on threads.
  */
@@ -30,7 +31,7 @@ typedef struct mus_layout_def {
     int32_t material; /* MUS_MATERIAL_*, default MUS_MATERIAL_MAIN */
     int32_t fold;     /* nonzero: the cloth is folded lengthwise, right sides together, and cut through two layers;
                        * default 0: open */
-    int32_t nap;      /* nonzero: pile, or a print with an up and a down: no piece is turned by half a turn; default 0 */
+    int32_t nap;      /* nonzero: pile, or a print with an up and a down: no piece is turned round; default 0 */
     double tolerance; /* by which the grain of a piece may leave that of the cloth [rad], 0 to 0.2, default 0 */
     double stripe;    /* distance of stripes across the cloth [m], 0 (none, default) or 0.001 to 10: the lowest point of
                        * each piece, as the panel is drawn, lies on a stripe, so that hems match */
@@ -51,11 +52,12 @@ typedef struct mus_layout mus_layout;
 /**
  * Lay the pieces of a pattern, and those that are cut and not draped (mus_pattern_cut_only()), on cloth.
  *
- * On folded cloth a pair, mirrored or symmetric, is cut at once through both layers, and a single symmetric piece lies
- * as a half on the fold. A single piece without symmetry, and one that is too wide for the folded cloth, is cut from
- * opened cloth behind the folded part; or through both layers, which gives one to spare, when that takes less cloth.
- * A piece is symmetric when its cut line and notches are their own mirror images in a line along the grain. `def` NULL
- * takes the defaults. A material that no piece is cut of gives a layout without pieces, of length 0.
+ * On folded cloth a mirrored pair, or two pieces that are symmetric, are cut at once through both layers, and a single
+ * symmetric piece lies as a half on the fold. A single piece without symmetry, and one that is too wide for the folded
+ * cloth, is cut from opened cloth behind the folded part; or through both layers, which gives one to spare, when all
+ * of these together take less cloth so. A piece is symmetric when its cut line and notches are their own mirror images
+ * in a line along the grain. Across the grain does for two pieces without nap: one of them is turned by half a turn.
+ * `def` NULL takes the defaults. A material that no piece is cut of gives a layout without pieces, of length 0.
  * Errors:  MUS_ERR_ARG (value out of range; a piece wider than the cloth), MUS_ERR_PATTERN (a fault of the pattern),
  *          MUS_ERR_LIMIT (more than 2000 pieces), MUS_ERR_VERSION, MUS_ERR_MEMORY. *out is NULL then
  * Memory:  *out is the caller's: mus_layout_destroy(). 16 n^2 bytes a run for n pieces while it is made

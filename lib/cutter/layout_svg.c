@@ -1,8 +1,8 @@
 /*
  * layout_svg.c: a layout on cloth as SVG at true scale: one unit is one millimetre.
  *
- * The cloth runs to the right. y of the cloth runs up, that of SVG down. Folded cloth is drawn as it lies, half as wide;
- * what is cut from opened cloth stands behind it, at full width.
+ * The cloth runs to the right. y of the cloth runs up, that of SVG down. Folded cloth is drawn as it lies, half as
+ * wide; what is cut from opened cloth stands behind it, at full width.
  */
 #include <math.h>
 #include <string.h>
@@ -11,10 +11,9 @@
 #include "muslin/layout.h"
 #include "print/page.h"
 
-#define SVG_BORDER 0.04      /* [m] round the cloth, with room for words; chosen */
-#define SVG_LETTERS 0.018    /* [m] height of letters */
-#define SVG_LETTER_WIDE 0.6  /* width of a letter over its height; that of common typefaces */
-#define SVG_ARROW 0.10       /* [m] longest arrow of the grain */
+#define SVG_BORDER 0.04     /* [m] round the cloth, with room for words; chosen */
+#define SVG_LETTERS 0.018   /* [m] height of letters */
+#define SVG_LETTER_WIDE 0.6 /* width of a letter over its height; that of common typefaces */
 
 typedef struct layout_page {
     mus__sink *bytes;
@@ -73,8 +72,10 @@ static double layout_chord(const mus_layout_piece *piece, double at, double *spa
             if ((a[1] > at) == (b[1] > at)) continue;
             const double x = a[0] + (b[0] - a[0]) * (at - a[1]) / (b[1] - a[1]);
             if (x <= from) continue;
-            if (x < pair[0]) pair[1] = pair[0], pair[0] = x;
-            else if (x < pair[1]) pair[1] = x;
+            if (x < pair[0])
+                pair[1] = pair[0], pair[0] = x;
+            else if (x < pair[1])
+                pair[1] = x;
         }
         if (!(pair[1] < HUGE_VAL)) return best;
         if (pair[1] - pair[0] > best) {
@@ -96,34 +97,50 @@ static const char *layout_how(const mus_layout_piece *piece)
 }
 
 
-/* write name, how it is cut, and an arrow along the grain, where the outline is longest of seven heights */
+/* find room for a label with letters of the height: the middle of it, out (2); its width, 0 when there is none. It is
+ * looked for at heights of the piece, by the chords through the top, the middle and the bottom of the label */
+static double layout_room(const mus_layout_piece *piece, const double *box, double height, double *out)
+{
+    double best = 0.0;
+    for (int32_t k = 1; k < 16; k++) {
+        const double y = box[0] + (box[1] - box[0]) * k / 16.0;
+        double from = -HUGE_VAL, to = HUGE_VAL;
+        for (int32_t line = -1; line <= 1; line++) {
+            double span[2] = {HUGE_VAL, -HUGE_VAL};
+            layout_chord(piece, y + 1.9 * height * line, span);
+            from = fmax(from, span[0]);
+            to = fmin(to, span[1]);
+        }
+        if (to - from <= best * 1.02) continue;
+        best = to - from;
+        out[0] = 0.5 * (from + to);
+        out[1] = y;
+    }
+    return best;
+}
+
+
+/* write name, how it is cut, and an arrow along the grain */
 static void layout_label(const layout_page *page, const mus_layout_piece *piece)
 {
-    double low = HUGE_VAL, high = -HUGE_VAL, best = 0.0, chord[2] = {0.0, 0.0}, at = 0.0;
+    double box[2] = {HUGE_VAL, -HUGE_VAL}, middle[2] = {0.0, 0.0}, height = SVG_LETTERS, room = 0.0, letters;
     for (int32_t i = 0; i < piece->n; i++) {
-        low = fmin(low, piece->xy[2 * i + 1]);
-        high = fmax(high, piece->xy[2 * i + 1]);
-    }
-    for (int32_t k = 1; k < 8; k++) {
-        double span[2];
-        const double y = low + (high - low) * (k % 2 == 1 ? 8 - k : k) / 8.0;
-        const double length = layout_chord(piece, y, span);
-        if (length <= best * 1.05) continue;
-        best = length;
-        at = y;
-        memcpy(chord, span, sizeof span);
+        box[0] = fmin(box[0], piece->xy[2 * i + 1]);
+        box[1] = fmax(box[1], piece->xy[2 * i + 1]);
     }
     const char *how = layout_how(piece);
-    const size_t letters = strlen(piece->name) > strlen(how) ? strlen(piece->name) : strlen(how);
-    const double fits = letters > 0 ? 0.9 * best / (SVG_LETTER_WIDE * (double)letters) : 0.0;
-    const double height = fmin(SVG_LETTERS, fmin(fits, 0.25 * (high - low)));
-    const double middle = 0.5 * (chord[0] + chord[1]), arrow = fmin(SVG_ARROW, 0.6 * best);
-    if (!(best > 0.0)) return;
-    layout_words(page, piece->name, middle, at + 0.7 * height, height);
-    if (*how != '\0') layout_words(page, how, middle, at - 0.7 * height, 0.8 * height);
-    /* the arrow points to the upper end of the piece as it is drawn, which a turn by half a turn reverses */
-    const double y = at - 1.6 * height, side = piece->turned ? -1.0 : 1.0, head = 0.12 * arrow;
-    const double a[2] = {middle - 0.5 * side * arrow, y}, b[2] = {middle + 0.5 * side * arrow, y};
+    letters = SVG_LETTER_WIDE * fmax((double)strlen(piece->name), 0.8 * (double)strlen(how)) + 1.0;
+    for (int32_t k = 0; k < 12; k++, height *= 0.8) {
+        room = layout_room(piece, box, height, middle);
+        if (room > letters * height) break;
+    }
+    if (!(room > 0.0)) return;
+    layout_words(page, piece->name, middle[0], middle[1] + 1.1 * height, height);
+    if (*how != '\0') layout_words(page, how, middle[0], middle[1] - 0.1 * height, 0.8 * height);
+    /* the arrow points to the upper end of the piece as it is drawn, which half a turn reverses */
+    const double arrow = fmin(6.0 * height, 0.6 * room), side = piece->turned ? -1.0 : 1.0, head = 0.12 * arrow;
+    const double y = middle[1] - 1.4 * height;
+    const double a[2] = {middle[0] - 0.5 * side * arrow, y}, b[2] = {middle[0] + 0.5 * side * arrow, y};
     layout_line(page, a, b, "stroke-width=\"0.5\"");
     for (int32_t k = -1; k <= 1; k += 2) {
         const double c[2] = {b[0] - side * head, y + 0.5 * k * head};
@@ -139,8 +156,11 @@ static void layout_piece(const layout_page *page, const mus_layout_piece *piece)
     mus__sink_print(page->bytes, "</title>\n");
     for (int32_t i = 0; i < piece->n; i++)
         layout_point(page, i == 0 ? "<path d=\"M" : "L", piece->xy[2 * i], piece->xy[2 * i + 1]);
-    mus__sink_print(page->bytes, "Z\" fill=\"%s\" stroke=\"#000000\" stroke-width=\"0.6\" stroke-linejoin=\"round\"/>\n",
-                    piece->on_fold ? "#d8e4f2" : piece->mirrored ? "#e4dcee" : "#e2efda");
+    mus__sink_print(page->bytes,
+                    "Z\" fill=\"%s\" stroke=\"#000000\" stroke-width=\"0.6\" stroke-linejoin=\"round\"/>\n",
+                    piece->on_fold                          ? "#d8e4f2"
+                    : piece->mirrored && piece->layers == 1 ? "#e4dcee"
+                                                            : "#e2efda");
     layout_label(page, piece);
     mus__sink_print(page->bytes, "</g>\n");
 }

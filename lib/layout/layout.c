@@ -9,8 +9,8 @@
 #include "geom/polygon.h"
 #include "layout/layout_internal.h"
 
-#define TURNS_MOST 360 /* angles of an item; chosen: a whole turn by degrees */
-#define POINTS_MOST 100000 /* of an item; chosen: bounds the time of one test of two outlines */
+#define LAYOUT_TURNS_MOST 360     /* angles of an item; chosen: a whole turn by degrees */
+#define LAYOUT_POINTS_MOST 100000 /* of an item; chosen: bounds the time of one test of two outlines */
 
 
 void mus_layout_def_init(mus_layout_def *def, size_t size)
@@ -85,10 +85,10 @@ static mus_status layout_lay(mus_layout *layout)
     layout->laid = mus__new(layout->context, layout->npart, sizeof *layout->laid);
     if (layout->laid == NULL) return mus__fail_memory(layout->context, "the pieces of a layout");
     for (int32_t i = 0; i < layout->npart; i++) {
-        const mus__part *part = &layout->parts[i];
-        const mus__outline *outline = &layout->outlines[part->outline];
-        const mus__polygon *cut = part->lie == MUS__LIE_HALF ? &outline->half : &outline->cut;
-        const mus_status status = mus__polygon_make(layout->context, cut->n, &layout->laid[i]);
+        const mus__layout_part *part = &layout->parts[i];
+        const mus__layout_outline *outline = &layout->outlines[part->outline];
+        const mus__layout_polygon *cut = part->lie == MUS__LIE_HALF ? &outline->half : &outline->cut;
+        const mus_status status = mus__layout_polygon_make(layout->context, cut->n, &layout->laid[i]);
         if (status != MUS_OK) return status;
         for (int32_t p = 0; p < cut->n; p++) {
             const double *from = cut->xy + 2 * p;
@@ -136,30 +136,33 @@ mus_status mus_layout_create(mus_context *context, const mus_pattern *pattern, c
     status = mus__layout_outlines(layout, pattern);
     if (status == MUS_OK) status = layout_search(layout);
     if (status == MUS_OK) status = layout_lay(layout);
-    if (status == MUS_OK) *out = layout;
-    else mus_layout_destroy(layout);
+    if (status == MUS_OK)
+        *out = layout;
+    else
+        mus_layout_destroy(layout);
     return status;
 }
 
 
 /* copy an item: its outline counter-clockwise, its turns */
-static mus_status layout_item(mus_layout *layout, int32_t index, const mus_layout_item *given, mus__outline *outline)
+static mus_status layout_item(mus_layout *layout, int32_t index, const mus_layout_item *given,
+                              mus__layout_outline *outline)
 {
     mus_context *context = layout->context;
     mus_layout_item item;
     mus_layout_item_init(&item, sizeof item);
     mus_status status = mus__def_read(context, &item, sizeof item, sizeof item, given, "mus_layout_item");
     if (status != MUS_OK) return status;
-    if (item.n < 3 || item.n > POINTS_MOST || item.xy == NULL || !mus__near(2 * (int64_t)item.n, item.xy))
+    if (item.n < 3 || item.n > LAYOUT_POINTS_MOST || item.xy == NULL || !mus__near(2 * (int64_t)item.n, item.xy))
         return mus__fail(context, MUS_ERR_ARG, "item %d: %d points, expected 3 to %d within 1e7 of the origin",
-                         (int)index, (int)item.n, POINTS_MOST);
+                         (int)index, (int)item.n, LAYOUT_POINTS_MOST);
     if (item.count < 1 || item.count > MUS__LAYOUT_MOST)
         return mus__fail(context, MUS_ERR_ARG, "item %d: count %d, expected 1 to %d", (int)index, (int)item.count,
                          MUS__LAYOUT_MOST);
-    if (item.turn_count < 0 || item.turn_count > TURNS_MOST || (item.turn_count > 0 && item.turns == NULL) ||
+    if (item.turn_count < 0 || item.turn_count > LAYOUT_TURNS_MOST || (item.turn_count > 0 && item.turns == NULL) ||
         !mus__near(item.turn_count, item.turns))
         return mus__fail(context, MUS_ERR_ARG, "item %d: %d turns, expected 0 to %d finite angles", (int)index,
-                         (int)item.turn_count, TURNS_MOST);
+                         (int)item.turn_count, LAYOUT_TURNS_MOST);
     const double area = mus__polygon_area(item.n, item.xy);
     if (!(fabs(area) > 0.0)) return mus__fail(context, MUS_ERR_ARG, "item %d has no area", (int)index);
     outline->panel = index;
@@ -170,10 +173,10 @@ static mus_status layout_item(mus_layout *layout, int32_t index, const mus_layou
     if (outline->turns == NULL) return mus__fail_memory(context, "an item of a layout");
     outline->turn_count = item.turn_count;
     for (int32_t i = 0; i < item.turn_count; i++) outline->turns[i] = item.turns[i];
-    status = mus__polygon_make(context, item.n, &outline->cut);
+    status = mus__layout_polygon_make(context, item.n, &outline->cut);
     for (int32_t i = 0; i < item.n && status == MUS_OK; i++)
         memcpy(outline->cut.xy + 2 * i, item.xy + 2 * (area > 0.0 ? i : item.n - 1 - i), 2 * sizeof *item.xy);
-    return status == MUS_OK ? mus__outline_grow(layout, outline) : status;
+    return status == MUS_OK ? mus__layout_outline_grow(layout, outline) : status;
 }
 
 
@@ -199,8 +202,10 @@ mus_status mus_layout_create_items(mus_context *context, int32_t count, const mu
     }
     if (status == MUS_OK) status = layout_search(layout);
     if (status == MUS_OK) status = layout_lay(layout);
-    if (status == MUS_OK) *out = layout;
-    else mus_layout_destroy(layout);
+    if (status == MUS_OK)
+        *out = layout;
+    else
+        mus_layout_destroy(layout);
     return status;
 }
 
@@ -209,8 +214,9 @@ void mus_layout_destroy(mus_layout *layout)
 {
     if (layout == NULL) return;
     mus_context *context = layout->context;
-    for (int32_t i = 0; i < layout->noutline; i++) mus__outline_free(context, &layout->outlines[i]);
-    for (int32_t i = 0; layout->laid != NULL && i < layout->npart; i++) mus__polygon_free(context, &layout->laid[i]);
+    for (int32_t i = 0; i < layout->noutline; i++) mus__layout_outline_free(context, &layout->outlines[i]);
+    for (int32_t i = 0; layout->laid != NULL && i < layout->npart; i++)
+        mus__layout_polygon_free(context, &layout->laid[i]);
     mus__free(context, layout->outlines);
     mus__free(context, layout->parts);
     mus__free(context, layout->laid);
@@ -218,19 +224,34 @@ void mus_layout_destroy(mus_layout *layout)
 }
 
 
-mus_context *mus_layout_context(const mus_layout *layout) { return layout != NULL ? layout->context : NULL; }
+mus_context *mus_layout_context(const mus_layout *layout)
+{
+    return layout != NULL ? layout->context : NULL;
+}
 
 
-double mus_layout_width(const mus_layout *layout) { return layout != NULL ? layout->def.width : 0.0; }
+double mus_layout_width(const mus_layout *layout)
+{
+    return layout != NULL ? layout->def.width : 0.0;
+}
 
 
-double mus_layout_length(const mus_layout *layout) { return layout != NULL ? layout->length : 0.0; }
+double mus_layout_length(const mus_layout *layout)
+{
+    return layout != NULL ? layout->length : 0.0;
+}
 
 
-double mus_layout_folded(const mus_layout *layout) { return layout != NULL ? layout->folded : 0.0; }
+double mus_layout_folded(const mus_layout *layout)
+{
+    return layout != NULL ? layout->folded : 0.0;
+}
 
 
-int64_t mus_layout_steps(const mus_layout *layout) { return layout != NULL ? layout->steps : 0; }
+int64_t mus_layout_steps(const mus_layout *layout)
+{
+    return layout != NULL ? layout->steps : 0;
+}
 
 
 double mus_layout_utilisation(const mus_layout *layout)
@@ -242,7 +263,10 @@ double mus_layout_utilisation(const mus_layout *layout)
 }
 
 
-int32_t mus_layout_piece_count(const mus_layout *layout) { return layout != NULL ? layout->npart : 0; }
+int32_t mus_layout_piece_count(const mus_layout *layout)
+{
+    return layout != NULL ? layout->npart : 0;
+}
 
 
 mus_status mus_layout_piece_get(const mus_layout *layout, int32_t piece, mus_layout_piece *out)
@@ -250,8 +274,8 @@ mus_status mus_layout_piece_get(const mus_layout *layout, int32_t piece, mus_lay
     if (layout == NULL || out == NULL) return MUS_ERR_ARG;
     if (piece < 0 || piece >= layout->npart)
         return mus__fail(layout->context, MUS_ERR_ARG, "piece %d, the layout has %d", (int)piece, (int)layout->npart);
-    const mus__part *part = &layout->parts[piece];
-    const mus__outline *outline = &layout->outlines[part->outline];
+    const mus__layout_part *part = &layout->parts[piece];
+    const mus__layout_outline *outline = &layout->outlines[part->outline];
     mus_layout_piece own = {.panel = outline->panel,
                             .name = outline->name,
                             .turned = part->turn[0] < 0.0,
@@ -264,13 +288,13 @@ mus_status mus_layout_piece_get(const mus_layout *layout, int32_t piece, mus_lay
     /* the turn of the part after that of the outline, whose middle was moved to y = 0 */
     for (int32_t r = 0; r < 2; r++) {
         for (int32_t c = 0; c < 2; c++)
-            own.turn[2 * r + c] =
-                part->turn[2 * r] * outline->turn[c] + part->turn[2 * r + 1] * outline->turn[2 + c];
+            own.turn[2 * r + c] = part->turn[2 * r] * outline->turn[c] + part->turn[2 * r + 1] * outline->turn[2 + c];
         own.shift[r] = part->shift[r] - part->turn[2 * r + 1] * outline->axis;
     }
     const size_t size = out->size;
     if (size < sizeof own)
-        return mus__fail(layout->context, MUS_ERR_VERSION, "mus_layout_piece: size %zu, expected %zu", size, sizeof own);
+        return mus__fail(layout->context, MUS_ERR_VERSION, "mus_layout_piece: size %zu, expected %zu", size,
+                         sizeof own);
     own.size = size;
     memcpy(out, &own, sizeof own);
     return MUS_OK;

@@ -14,7 +14,6 @@
 #include "pattern/polygon_offset.h"
 
 
-
 /* square of the distance of p to the segment a, b */
 static double grow_distance(const double *p, const double *a, const double *b)
 {
@@ -29,7 +28,7 @@ static double grow_distance(const double *p, const double *a, const double *b)
 
 /* mark the points of a closed polygon that stay: those at 0 and `far`, and between two that stay the farthest one while
  * it is beyond the tolerance. stack (n x 2) */
-static void grow_mark(const mus__polygon *from, int32_t far, unsigned char *stays, int32_t *stack)
+static void grow_mark(const mus__layout_polygon *from, int32_t far, unsigned char *stays, int32_t *stack)
 {
     int32_t depth = 0;
     stays[0] = stays[far] = 1;
@@ -53,12 +52,12 @@ static void grow_mark(const mus__polygon *from, int32_t far, unsigned char *stay
 
 
 /* leave points out of a polygon, unless its sides would cross then */
-static mus_status grow_simplify(mus_context *context, mus__polygon *polygon)
+static mus_status grow_simplify(mus_context *context, mus__layout_polygon *polygon)
 {
-    mus__polygon less = {0, NULL};
+    mus__layout_polygon less = {0, NULL};
     unsigned char *stays = mus__new(context, polygon->n, 1);
     int32_t *stack = mus__new(context, polygon->n, 4 * sizeof *stack), i, j;
-    mus_status status = mus__polygon_make(context, polygon->n, &less);
+    mus_status status = mus__layout_polygon_make(context, polygon->n, &less);
     if (status == MUS_OK && (stays == NULL || stack == NULL))
         status = mus__fail_memory(context, "an outline of a layout");
     if (status == MUS_OK) {
@@ -73,22 +72,22 @@ static mus_status grow_simplify(mus_context *context, mus__polygon *polygon)
             if (stays[k]) memcpy(less.xy + 2 * (ptrdiff_t)n++, polygon->xy + 2 * (ptrdiff_t)k, 2 * sizeof *less.xy);
         less.n = n;
         if (n >= 3 && !mus__polygon_crosses(n, less.xy, &i, &j, stack)) {
-            const mus__polygon held = *polygon;
+            const mus__layout_polygon held = *polygon;
             *polygon = less;
             less = held;
         }
     }
     mus__free(context, stays);
     mus__free(context, stack);
-    mus__polygon_free(context, &less);
+    mus__layout_polygon_free(context, &less);
     return status;
 }
 
 
 /* make the part of a polygon with y at or above `low` */
-static mus_status grow_clip(mus_context *context, const mus__polygon *from, double low, mus__polygon *out)
+static mus_status grow_clip(mus_context *context, const mus__layout_polygon *from, double low, mus__layout_polygon *out)
 {
-    const mus_status status = mus__polygon_make(context, 2 * from->n, out);
+    const mus_status status = mus__layout_polygon_make(context, 2 * from->n, out);
     if (status != MUS_OK) return status;
     int32_t n = 0;
     for (int32_t i = 0; i < from->n; i++) {
@@ -107,11 +106,11 @@ static mus_status grow_clip(mus_context *context, const mus__polygon *from, doub
 }
 
 
-mus_status mus__outline_grow(const mus_layout *layout, mus__outline *outline)
+mus_status mus__layout_outline_grow(const mus_layout *layout, mus__layout_outline *outline)
 {
     mus_context *context = layout->context;
-    const mus__polygon *cut = &outline->cut;
-    mus__polygon *grown = &outline->grown;
+    const mus__layout_polygon *cut = &outline->cut;
+    mus__layout_polygon *grown = &outline->grown;
     mus_status status = MUS_OK;
     if (layout->margin > 0.0) {
         mus__cut_loops loops;
@@ -121,13 +120,13 @@ mus_status mus__outline_grow(const mus_layout *layout, mus__outline *outline)
         for (int32_t i = 0; i < cut->n; i++) width[i] = layout->margin;
         status = mus__offset(context, cut->n, cut->xy, width, NULL, &loops);
         const int32_t n = status == MUS_OK ? (loops.nloop > 1 ? loops.start[1] : loops.n) : 0;
-        if (status == MUS_OK) status = mus__polygon_make(context, n, grown);
+        if (status == MUS_OK) status = mus__layout_polygon_make(context, n, grown);
         if (status == MUS_OK) memcpy(grown->xy, loops.xy, 2 * (size_t)n * sizeof *grown->xy);
         mus__cut_loops_free(context, &loops);
         mus__free(context, width);
         if (status == MUS_OK) status = grow_simplify(context, grown);
     } else {
-        status = mus__polygon_make(context, cut->n, grown);
+        status = mus__layout_polygon_make(context, cut->n, grown);
         if (status == MUS_OK) memcpy(grown->xy, cut->xy, 2 * (size_t)cut->n * sizeof *grown->xy);
     }
     if (status == MUS_OK && outline->symmetric) status = grow_clip(context, cut, 0.0, &outline->half);

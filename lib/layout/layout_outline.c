@@ -7,11 +7,11 @@
 #include "geom/polygon.h"
 #include "layout/layout_internal.h"
 
-#define SAME 5e-5       /* [m] two cut lines this near are one; that of a half on paper (lib/print/piece_fold.c) */
-#define SAME_NOTCH 1e-3 /* [m] two notches this near are mirror images; as there */
+#define OUTLINE_SAME 5e-5 /* [m] two cut lines this near are one; that of a half on paper (lib/print/piece_fold.c) */
+#define OUTLINE_SAME_NOTCH 1e-3 /* [m] two notches this near are mirror images; as there */
 
 
-void mus__polygon_free(mus_context *context, mus__polygon *polygon)
+void mus__layout_polygon_free(mus_context *context, mus__layout_polygon *polygon)
 {
     mus__free(context, polygon->xy);
     polygon->xy = NULL;
@@ -19,9 +19,9 @@ void mus__polygon_free(mus_context *context, mus__polygon *polygon)
 }
 
 
-mus_status mus__polygon_make(mus_context *context, int32_t n, mus__polygon *polygon)
+mus_status mus__layout_polygon_make(mus_context *context, int32_t n, mus__layout_polygon *polygon)
 {
-    mus__polygon_free(context, polygon);
+    mus__layout_polygon_free(context, polygon);
     polygon->xy = mus__new(context, n, 2 * sizeof *polygon->xy);
     if (polygon->xy == NULL) return mus__fail_memory(context, "an outline of a layout");
     polygon->n = n;
@@ -29,17 +29,17 @@ mus_status mus__polygon_make(mus_context *context, int32_t n, mus__polygon *poly
 }
 
 
-void mus__outline_free(mus_context *context, mus__outline *outline)
+void mus__layout_outline_free(mus_context *context, mus__layout_outline *outline)
 {
     mus__free(context, outline->turns);
-    mus__polygon_free(context, &outline->cut);
-    mus__polygon_free(context, &outline->grown);
-    mus__polygon_free(context, &outline->half);
-    mus__polygon_free(context, &outline->grown_half);
+    mus__layout_polygon_free(context, &outline->cut);
+    mus__layout_polygon_free(context, &outline->grown);
+    mus__layout_polygon_free(context, &outline->half);
+    mus__layout_polygon_free(context, &outline->grown_half);
 }
 
 
-static void outline_turn(const mus__outline *outline, const double *p, double *out)
+static void outline_turn(const mus__layout_outline *outline, const double *p, double *out)
 {
     const double *turn = outline->turn;
     out[0] = turn[0] * p[0] + turn[1] * p[1];
@@ -48,7 +48,7 @@ static void outline_turn(const mus__outline *outline, const double *p, double *o
 
 
 /* the place and kind of a notch in the frame of the cloth; false when it is not on the panel */
-static bool outline_notch(const mus_pattern *pattern, int32_t notch, int32_t panel, const mus__outline *outline,
+static bool outline_notch(const mus_pattern *pattern, int32_t notch, int32_t panel, const mus__layout_outline *outline,
                           double *out, int32_t *kind)
 {
     int32_t edge;
@@ -62,8 +62,9 @@ static bool outline_notch(const mus_pattern *pattern, int32_t notch, int32_t pan
 }
 
 
-/* has each notch of the panel one of its kind at its mirror image in y = axis? */
-static bool outline_notches(const mus_pattern *pattern, int32_t panel, const mus__outline *outline, double axis)
+/* has each notch of the panel one of its kind at its mirror image? In the line where coordinate d is `axis` */
+static bool outline_notches(const mus_pattern *pattern, int32_t panel, const mus__layout_outline *outline, int32_t d,
+                            double axis)
 {
     const int32_t n = mus_pattern_notch_count(pattern);
     for (int32_t i = 0; i < n; i++) {
@@ -73,27 +74,31 @@ static bool outline_notches(const mus_pattern *pattern, int32_t panel, const mus
         if (!outline_notch(pattern, i, panel, outline, p, &kind)) continue;
         for (int32_t j = 0; j < n && !found; j++)
             found = outline_notch(pattern, j, panel, outline, q, &other) && other == kind &&
-                    fabs(p[0] - q[0]) + fabs(p[1] + q[1] - 2.0 * axis) < SAME_NOTCH;
+                    fabs(p[1 - d] - q[1 - d]) + fabs(p[d] + q[d] - 2.0 * axis) < OUTLINE_SAME_NOTCH;
         if (!found) return false;
     }
     return true;
 }
 
 
-/* is the cut line its own mirror image in y = axis? */
-static bool outline_mirrors(const mus__polygon *cut, double axis)
+/* is the panel its own mirror image, cut line and notches, in the line where coordinate d is `axis`? */
+static bool outline_mirrors(const mus_pattern *pattern, int32_t panel, const mus__layout_outline *outline, int32_t d,
+                            double axis)
 {
+    const mus__layout_polygon *cut = &outline->cut;
     for (int32_t i = 0; i < cut->n; i++) {
-        const double p[2] = {cut->xy[2 * i], 2.0 * axis - cut->xy[2 * i + 1]};
-        if (mus__polygon_distance(cut->n, cut->xy, p) > SAME) return false;
+        double p[2] = {cut->xy[2 * i], cut->xy[2 * i + 1]};
+        p[d] = 2.0 * axis - p[d];
+        if (mus__polygon_distance(cut->n, cut->xy, p) > OUTLINE_SAME) return false;
     }
-    return true;
+    return outline_notches(pattern, panel, outline, d, axis);
 }
 
 
-/* set the turn of a panel and its cut line in the frame of the cloth; a panel that is drawn wrong side up is mirrored */
+/* set the turn of a panel and its cut line in the frame of the cloth; a panel that is drawn wrong side up is mirrored
+ */
 static mus_status outline_cut(mus_context *context, const mus_pattern *pattern, int32_t panel, double allowance,
-                              mus__outline *outline)
+                              mus__layout_outline *outline)
 {
     mus_cut_line *line = NULL;
     double grain[2];
@@ -102,7 +107,7 @@ static mus_status outline_cut(mus_context *context, const mus_pattern *pattern, 
     mus_status status = mus_pattern_cut_line(pattern, panel, allowance, &line);
     if (status == MUS_OK) status = mus_pattern_grain(pattern, panel, grain);
     if (status == MUS_OK) status = mus_cut_line_loop(line, 0, &n, &xy);
-    if (status == MUS_OK) status = mus__polygon_make(context, n, &outline->cut);
+    if (status == MUS_OK) status = mus__layout_polygon_make(context, n, &outline->cut);
     if (status == MUS_OK) {
         const double area = mus__polygon_area(n, xy), side = area < 0.0 ? -1.0 : 1.0;
         const double turn[4] = {grain[0], grain[1], -side * grain[1], side * grain[0]};
@@ -119,7 +124,7 @@ static mus_status outline_cut(mus_context *context, const mus_pattern *pattern, 
 
 /* make the outline of a panel; `offset` is added to its number */
 static mus_status outline_panel(const mus_layout *layout, const mus_pattern *pattern, int32_t panel, int32_t offset,
-                                mus__outline *outline)
+                                mus__layout_outline *outline)
 {
     mus_context *context = layout->context;
     outline->panel = offset + panel;
@@ -127,18 +132,18 @@ static mus_status outline_panel(const mus_layout *layout, const mus_pattern *pat
     strncpy(outline->name, name != NULL ? name : "", sizeof outline->name - 1);
     mus_status status = outline_cut(context, pattern, panel, layout->def.allowance, outline);
     if (status != MUS_OK) return status;
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    mus__polygon *cut = &outline->cut;
-    for (int32_t i = 0; i < cut->n; i++) {
-        low = fmin(low, cut->xy[2 * i + 1]);
-        high = fmax(high, cut->xy[2 * i + 1]);
+    mus__layout_polygon *cut = &outline->cut;
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (int32_t i = 0; i < 2 * cut->n; i++) {
+        low[i % 2] = fmin(low[i % 2], cut->xy[i]);
+        high[i % 2] = fmax(high[i % 2], cut->xy[i]);
     }
-    const double axis = 0.5 * (low + high);
-    outline->symmetric = outline_mirrors(cut, axis) && outline_notches(pattern, panel, outline, axis);
-    /* the axis becomes y = 0; the shift of a part undoes it */
-    for (int32_t i = 0; i < cut->n; i++) cut->xy[2 * i + 1] -= axis;
-    outline->axis = axis;
-    return mus__outline_grow(layout, outline);
+    outline->axis = 0.5 * (low[1] + high[1]);
+    outline->symmetric = outline_mirrors(pattern, panel, outline, 1, outline->axis);
+    outline->across = outline_mirrors(pattern, panel, outline, 0, 0.5 * (low[0] + high[0]));
+    /* the axis becomes y = 0; mus_layout_piece_get() undoes it */
+    for (int32_t i = 0; i < cut->n; i++) cut->xy[2 * i + 1] -= outline->axis;
+    return mus__layout_outline_grow(layout, outline);
 }
 
 
@@ -153,7 +158,7 @@ static mus_status outlines_of(mus_layout *layout, const mus_pattern *pattern, in
         if (mirror_of != MUS_NONE || count == 0) continue;
         status = mus__reserve(layout->context, &layout->outlines, room, layout->noutline + 1, sizeof *layout->outlines);
         if (status != MUS_OK) return mus__fail_memory(layout->context, "the outlines of a layout");
-        mus__outline *outline = &layout->outlines[layout->noutline++];
+        mus__layout_outline *outline = &layout->outlines[layout->noutline++];
         outline->count = count;
         outline->mirrored = mirrored != 0;
         status = outline_panel(layout, pattern, panel, offset, outline);

@@ -7,21 +7,21 @@
 #include "base/elementary.h"
 #include "layout/layout_internal.h"
 
-#define QUARTER 1.57079632679489661923
-#define EXACT 1e-9   /* [rad] a turn this near a quarter turn is one; chosen: 10 nm over 10 m */
-#define ROUNDING 1e-9 /* [m] by which the strip is higher than the cloth: a piece as wide as the cloth fits */
-#define ANGLES 5     /* within the tolerance of the grain; chosen */
+#define SOLVE_QUARTER 1.57079632679489661923
+#define SOLVE_EXACT 1e-9    /* [rad] a turn this near a quarter turn is one; chosen: 10 nm over 10 m */
+#define SOLVE_ROUNDING 1e-9 /* [m] by which the strip is higher than the cloth: a piece as wide as the cloth fits */
+#define SOLVE_ANGLES 5      /* within the tolerance of the grain; chosen */
 
 /* one search: the ways of its parts */
 typedef struct solve_work {
     mus_layout *layout;
     double start, share; /* of progress */
     int32_t nway;
-    mus__nest_way *ways; /* (nway) */
-    double (*turns)[4];  /* (nway) from the frame of the outline to the cloth */
-    double *xy;          /* points of all ways */
-    int32_t *first;      /* (outlines x 4) first way of each outline and lie, or MUS_NONE */
-    int32_t *count;      /* (outlines x 4) */
+    mus__nest_way *ways;     /* (nway) */
+    double (*turns)[4];      /* (nway) from the frame of the outline to the cloth */
+    double *xy;              /* points of all ways */
+    int32_t *first;          /* (outlines x 4) first way of each outline and lie, or MUS_NONE */
+    int32_t *count;          /* (outlines x 4) */
     mus__nest_item *items;   /* (n) */
     mus__nest_place *places; /* (n) */
 } solve_work;
@@ -43,9 +43,9 @@ static void solve_free(solve_work *work)
 /* write the matrix of a turn; multiples of a quarter turn are exact */
 static void solve_turn(double angle, double *out)
 {
-    const double quarters = nearbyint(angle / QUARTER);
+    const double quarters = nearbyint(angle / SOLVE_QUARTER);
     double cosine = mus__cos(angle), sine = mus__sin(angle);
-    if (fabs(angle - quarters * QUARTER) < EXACT) {
+    if (fabs(angle - quarters * SOLVE_QUARTER) < SOLVE_EXACT) {
         const int32_t way = (int32_t)(quarters - 4.0 * floor(quarters / 4.0));
         static const double cosines[4] = {1.0, 0.0, -1.0, 0.0}, sines[4] = {0.0, 1.0, 0.0, -1.0};
         cosine = cosines[way];
@@ -56,8 +56,9 @@ static void solve_turn(double angle, double *out)
 }
 
 
-/* write the turns of an outline that lies so: out (at most 4 ANGLES, or its own); returns their number */
-static int32_t solve_turns(const mus_layout *layout, const mus__outline *outline, mus__lie lie, double (*out)[4])
+/* write the turns of an outline that lies so: out (at most 4 SOLVE_ANGLES, or its own); returns their number */
+static int32_t solve_turns(const mus_layout *layout, const mus__layout_outline *outline, mus__layout_lie lie,
+                           double (*out)[4])
 {
     static const double signs[4][2] = {{1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}};
     const bool nap = layout->def.nap != 0;
@@ -71,7 +72,7 @@ static int32_t solve_turns(const mus_layout *layout, const mus__outline *outline
         if (lie == MUS__LIE_PLAIN && over) continue;
         if (lie == MUS__LIE_MIRRORED && !over) continue;
         if (lie == MUS__LIE_HALF && k != 0 && k != 3) continue;
-        const int32_t angles = layout->def.tolerance > 0.0 && lie != MUS__LIE_HALF ? ANGLES : 1;
+        const int32_t angles = layout->def.tolerance > 0.0 && lie != MUS__LIE_HALF ? SOLVE_ANGLES : 1;
         for (int32_t a = 0; a < angles; a++) {
             double turn[4];
             solve_turn(layout->def.tolerance * ((a + 1) / 2) * (a % 2 == 0 ? 0.5 : -0.5), turn);
@@ -83,14 +84,16 @@ static int32_t solve_turns(const mus_layout *layout, const mus__outline *outline
 }
 
 
-/* x of the lowest point of the panel as it is drawn, in the frame of the cloth: the least x there */
-static void solve_stripe(const mus__outline *outline, const double *turn, mus__nest_way *way)
+/* x of the lowest point of the panel as it is drawn, in the frame of the cloth: the least x there; less the margin, so
+ * that the stripes of the strip are those of the cloth */
+static void solve_stripe(const mus_layout *layout, const mus__layout_outline *outline, const double *turn,
+                         mus__nest_way *way)
 {
-    const mus__polygon *cut = &outline->cut;
+    const mus__layout_polygon *cut = &outline->cut;
     int32_t low = 0;
     for (int32_t i = 1; i < cut->n; i++)
         if (cut->xy[2 * i] < cut->xy[2 * low]) low = i;
-    way->stripe = turn[0] * cut->xy[2 * low] + turn[1] * cut->xy[2 * low + 1];
+    way->stripe = turn[0] * cut->xy[2 * low] + turn[1] * cut->xy[2 * low + 1] - layout->margin;
 }
 
 
@@ -101,9 +104,9 @@ static void solve_ways(solve_work *work, int64_t *points, double (*turns)[4])
     work->nway = 0;
     *points = 0;
     for (int32_t i = 0; i < 4 * layout->noutline; i++) {
-        const mus__outline *outline = &layout->outlines[i / 4];
-        const mus__lie lie = (mus__lie)(i % 4);
-        const mus__polygon *grown = lie == MUS__LIE_HALF ? &outline->grown_half : &outline->grown;
+        const mus__layout_outline *outline = &layout->outlines[i / 4];
+        const mus__layout_lie lie = (mus__layout_lie)(i % 4);
+        const mus__layout_polygon *grown = lie == MUS__LIE_HALF ? &outline->grown_half : &outline->grown;
         const int32_t n = grown->n == 0 ? 0 : solve_turns(layout, outline, lie, turns);
         for (int32_t k = 0; k < n; k++, work->nway++, *points += grown->n) {
             if (work->xy == NULL) continue;
@@ -115,7 +118,7 @@ static void solve_ways(solve_work *work, int64_t *points, double (*turns)[4])
             }
             work->ways[work->nway].n = grown->n;
             work->ways[work->nway].xy = xy;
-            solve_stripe(outline, turn, &work->ways[work->nway]);
+            solve_stripe(layout, outline, turn, &work->ways[work->nway]);
         }
         if (work->xy == NULL) continue;
         work->first[i] = work->nway - n;
@@ -127,7 +130,7 @@ static void solve_ways(solve_work *work, int64_t *points, double (*turns)[4])
 static mus_status solve_make(mus_layout *layout, solve_work *work)
 {
     mus_context *context = layout->context;
-    int32_t most = 4 * ANGLES;
+    int32_t most = 4 * SOLVE_ANGLES;
     int64_t points;
     for (int32_t i = 0; i < layout->noutline; i++)
         most = layout->outlines[i].turn_count > most ? layout->outlines[i].turn_count : most;
@@ -165,7 +168,7 @@ static mus_status solve_cloth(solve_work *work, bool folded)
     const mus_layout_def *def = &layout->def;
     int32_t n = 0, bad;
     for (int32_t i = 0; i < layout->npart; i++) {
-        const mus__part *part = &layout->parts[i];
+        const mus__layout_part *part = &layout->parts[i];
         if (part->folded != folded) continue;
         const int32_t way = 4 * part->outline + (int32_t)part->lie;
         work->items[n].nway = work->count[way];
@@ -173,7 +176,7 @@ static mus_status solve_cloth(solve_work *work, bool folded)
         work->items[n++].edge = part->lie == MUS__LIE_HALF;
     }
     if (n == 0) return MUS_OK;
-    const mus__nest_def nest = {.height = (folded ? 0.5 : 1.0) * def->width + 2.0 * layout->margin + ROUNDING,
+    const mus__nest_def nest = {.height = (folded ? 0.5 : 1.0) * def->width + 2.0 * layout->margin + SOLVE_ROUNDING,
                                 .stripe = def->stripe,
                                 .steps = def->steps,
                                 .runs = def->runs,
@@ -189,8 +192,8 @@ static mus_status solve_cloth(solve_work *work, bool folded)
     double from = layout->length > 0.0 ? layout->length + def->gap : 0.0;
     if (def->stripe > 0.0) from = ceil(from / def->stripe) * def->stripe; /* the stripes run on */
     for (int32_t i = 0, k = 0; i < layout->npart; i++) {
-        mus__part *part = &layout->parts[i];
-        const mus__outline *outline = &layout->outlines[part->outline];
+        mus__layout_part *part = &layout->parts[i];
+        const mus__layout_outline *outline = &layout->outlines[part->outline];
         if (part->folded != folded) continue;
         if (status == MUS_ERR_ARG && k == bad)
             return mus__fail(layout->context, MUS_ERR_ARG,
@@ -201,7 +204,7 @@ static mus_status solve_cloth(solve_work *work, bool folded)
             memcpy(part->turn, work->turns[work->items[k].ways - work->ways + place->way], sizeof part->turn);
             part->shift[0] = from + place->x - layout->margin;
             part->shift[1] = place->y - layout->margin;
-            const mus__polygon *cut = part->lie == MUS__LIE_HALF ? &outline->half : &outline->cut;
+            const mus__layout_polygon *cut = part->lie == MUS__LIE_HALF ? &outline->half : &outline->cut;
             for (int32_t p = 0; p < cut->n; p++)
                 layout->length = fmax(layout->length, part->turn[0] * cut->xy[2 * p] +
                                                           part->turn[1] * cut->xy[2 * p + 1] + part->shift[0]);

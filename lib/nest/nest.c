@@ -93,7 +93,8 @@ static mus_status nest_make_shapes(mus_context *context, const mus__nest_item *i
         int32_t same = i - 1;
         for (; same >= 0; same--) {
             bool equal = items[same].nway == items[i].nway;
-            for (int32_t k = 0; k < items[i].nway && equal; k++) equal = nest_same(&items[same].ways[k], &items[i].ways[k]);
+            for (int32_t k = 0; k < items[i].nway && equal; k++)
+                equal = nest_same(&items[same].ways[k], &items[i].ways[k]);
             if (equal) break;
         }
         problem->nway[i] = items[i].nway;

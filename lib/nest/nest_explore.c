@@ -2,30 +2,30 @@
  * nest_explore.c: the search of one run: make the strip shorter, separate, and again.
  *
  * The first layout is columns of boxes, which always fit. Exploring: after each success the strip is made shorter by a
- * step, which doubles while success comes quickly and returns to the least after a failure. After a failure at the least
- * step the search goes on from one of the layouts with the fewest overlaps, in which two large items change places.
- * Compressing, in the last part of the steps: the best layout is made shorter by steps that become smaller, at a random
- * place.
- * Source: Gardeyn, Vanden Berghe, Wauters, An open-source heuristic to reboot 2D nesting research, 2025, section 7.
+ * step, which doubles while success comes quickly and returns to the least after a failure. After a failure at the
+ * least step the search goes on from one of the layouts with the fewest overlaps, in which two large items change
+ * places. Compressing, in the last part of the steps: the best layout is made shorter by steps that become smaller, at
+ * a random place. Source: Gardeyn, Vanden Berghe, Wauters, An open-source heuristic to reboot 2D nesting research,
+ * 2025, section 7.
  */
 #include <math.h>
 #include <string.h>
 
 #include "nest/nest_internal.h"
 
-#define EXPLORE 0.8 /* part of the steps for exploring */
-#define STEP_LEAST 0.001 /* [of the length] step of exploring */
-#define STEP_MOST 0.05   /* chosen: the first layout may be twice as long as the best */
-#define QUICK 0.01 /* [of the steps] a success within this doubles the step; chosen */
-#define FAILURES 10 /* in a row after which exploring ends */
-#define FINE_FIRST 0.0005 /* [of the length] first and last step of compressing */
-#define FINE_LAST 0.00001
-#define PATIENCE 200 /* rounds without progress when exploring, and strikes */
-#define STRIKES 3
-#define TRIAL 30 /* rounds without progress at a larger step; chosen */
-#define FINE_PATIENCE 100 /* when compressing */
-#define FINE_STRIKES 5
-#define LARGE 0.5 /* [of the largest hull] items that may change places; chosen */
+#define EXPLORE_WIDE 0.8          /* part of the steps for exploring */
+#define EXPLORE_STEP_LEAST 0.001  /* [of the length] step of exploring */
+#define EXPLORE_STEP_MOST 0.05    /* chosen: the first layout may be twice as long as the best */
+#define EXPLORE_QUICK 0.01        /* [of the steps] a success within this doubles the step; chosen */
+#define EXPLORE_FAILURES 10       /* in a row after which exploring ends */
+#define EXPLORE_FINE_FIRST 0.0005 /* [of the length] first and last step of compressing */
+#define EXPLORE_FINE_LAST 0.00001
+#define EXPLORE_PATIENCE 200 /* rounds without progress when exploring, and strikes */
+#define EXPLORE_STRIKES 3
+#define EXPLORE_TRIAL 30          /* rounds without progress at a larger step; chosen */
+#define EXPLORE_FINE_PATIENCE 100 /* when compressing */
+#define EXPLORE_FINE_STRIKES 5
+#define EXPLORE_LARGE 0.5 /* [of the largest hull] items that may change places; chosen */
 
 
 /* the first way of item i that is within the strip's height; its own number of ways when there is none */
@@ -149,7 +149,8 @@ static void explore_pool(mus__nest_run *run)
 }
 
 
-/* go on from a layout of the pool, more often from one of the better ones, with two large items in each other's place */
+/* go on from a layout of the pool, more often from one of the better ones, with two large items in each other's place
+ */
 static void explore_disrupt(mus__nest_run *run)
 {
     const mus__nest_problem *problem = run->problem;
@@ -161,9 +162,9 @@ static void explore_disrupt(mus__nest_run *run)
     int32_t a = MUS_NONE, b = MUS_NONE, count = 0, others = 0;
     /* each large item is taken with equal chance; then another that is not its like */
     for (int32_t i = 0; i < n; i++)
-        if (problem->area[i] >= LARGE * largest && mus__nest_below(run, ++count) == 0) a = i;
+        if (problem->area[i] >= EXPLORE_LARGE * largest && mus__nest_below(run, ++count) == 0) a = i;
     for (int32_t i = 0; i < n; i++)
-        if (problem->area[i] >= LARGE * largest && problem->area[i] != problem->area[a] &&
+        if (problem->area[i] >= EXPLORE_LARGE * largest && problem->area[i] != problem->area[a] &&
             mus__nest_below(run, ++others) == 0)
             b = i;
     if (b == MUS_NONE) b = mus__nest_below(run, n);
@@ -183,27 +184,32 @@ static void explore_disrupt(mus__nest_run *run)
 /* explore until the steps of the run or the failures are used up */
 static void explore_wide(mus__nest_run *run)
 {
-    double step = STEP_MOST;
+    double step = EXPLORE_STEP_MOST;
     int32_t failures = 0;
-    while (!mus__nest_over(run) && failures < FAILURES) {
+    while (!mus__nest_over(run) && failures < EXPLORE_FAILURES) {
         const double most = 1.0 - run->problem->shortest / run->best.length;
         const int64_t before = run->steps;
-        if (most < STEP_LEAST) return;
+        if (most < EXPLORE_STEP_LEAST) return;
         step = fmin(step, most);
         explore_shorten(run, run->best.length * (1.0 - step), mus__nest_uniform(run) * run->length);
         run->npool = 0;
         /* a step above the least is a trial */
-        const bool trial = step > STEP_LEAST;
-        bool done = explore_separate(run, trial ? 1 : STRIKES, trial ? TRIAL : PATIENCE);
-        for (; !done && !trial && !mus__nest_over(run); done = explore_separate(run, STRIKES, PATIENCE)) {
+        const bool trial = step > EXPLORE_STEP_LEAST;
+        bool done = explore_separate(run, trial ? 1 : EXPLORE_STRIKES, trial ? EXPLORE_TRIAL : EXPLORE_PATIENCE);
+        for (; !done && !trial && !mus__nest_over(run);
+             done = explore_separate(run, EXPLORE_STRIKES, EXPLORE_PATIENCE)) {
             explore_pool(run);
-            if (++failures >= FAILURES) break;
+            if (++failures >= EXPLORE_FAILURES) break;
             explore_disrupt(run);
         }
-        if (done) failures = 0;
-        else mus__nest_restore(run, &run->best);
-        const bool quick = (double)(run->steps - before) < QUICK * (double)run->limit;
-        step = !done ? fmax(STEP_LEAST, 0.25 * step) : quick ? fmin(STEP_MOST, 2.0 * step) : fmax(STEP_LEAST, 0.5 * step);
+        if (done)
+            failures = 0;
+        else
+            mus__nest_restore(run, &run->best);
+        const bool quick = (double)(run->steps - before) < EXPLORE_QUICK * (double)run->limit;
+        step = !done   ? fmax(EXPLORE_STEP_LEAST, 0.25 * step)
+               : quick ? fmin(EXPLORE_STEP_MOST, 2.0 * step)
+                       : fmax(EXPLORE_STEP_LEAST, 0.5 * step);
     }
 }
 
@@ -214,12 +220,12 @@ static void explore_compress(mus__nest_run *run)
     const int64_t start = run->steps;
     while (!mus__nest_over(run)) {
         const double done = (double)(run->steps - start) / (double)(run->limit - start + 1);
-        const double step = FINE_FIRST + (FINE_LAST - FINE_FIRST) * done;
+        const double step = EXPLORE_FINE_FIRST + (EXPLORE_FINE_LAST - EXPLORE_FINE_FIRST) * done;
         const double length = fmax(run->problem->shortest, run->best.length * (1.0 - step));
         if (!(length < run->best.length)) return;
         mus__nest_restore(run, &run->best);
         explore_shorten(run, length, mus__nest_uniform(run) * run->length);
-        explore_separate(run, FINE_STRIKES, FINE_PATIENCE);
+        explore_separate(run, EXPLORE_FINE_STRIKES, EXPLORE_FINE_PATIENCE);
     }
 }
 
@@ -228,7 +234,7 @@ void mus__nest_explore(mus__nest_run *run)
 {
     const int64_t limit = run->limit;
     explore_columns(run);
-    run->limit = (int64_t)(EXPLORE * (double)limit);
+    run->limit = (int64_t)(EXPLORE_WIDE * (double)limit);
     explore_wide(run);
     run->limit = limit;
     explore_compress(run);

@@ -18,14 +18,14 @@ typedef struct mus__nest_poles {
 /* a way of an item, as the search needs it: coordinates count from the middle of the box */
 typedef struct mus__nest_shape {
     int32_t n;
-    double *xy;       /* (n x 2) */
+    double *xy;          /* (n x 2) */
     const double *given; /* (n x 2) as the caller gave it */
-    double middle[2]; /* of the box, in the caller's coordinates */
-    double half[2];   /* half the width and the height of the box */
-    double diameter;  /* of the box */
-    double size;      /* square root of the area of the convex hull */
-    double least;     /* the shorter side of the box */
-    double stripe;    /* x that is laid on a stripe */
+    double middle[2];    /* of the box, in the caller's coordinates */
+    double half[2];      /* half the width and the height of the box */
+    double diameter;     /* of the box */
+    double size;         /* square root of the area of the convex hull */
+    double least;        /* the shorter side of the box */
+    double stripe;       /* x that is laid on a stripe */
     mus__nest_poles poles;
 } mus__nest_shape;
 
@@ -38,13 +38,13 @@ typedef struct mus__nest_at {
 typedef struct mus__nest_problem {
     const mus__nest_def *def;
     int32_t n;
-    int32_t nshape, most; /* number of shapes; most points of one */
+    int32_t nshape, most;    /* number of shapes; most points of one */
     mus__nest_shape *shapes; /* (nshape) */
-    int32_t *first;  /* (n) shape of the first way of each item */
-    int32_t *nway;   /* (n) */
-    bool *edge;      /* (n) */
-    double *area;    /* (n) of the hull of the first way */
-    double shortest; /* no layout is shorter: the widest item, and the area */
+    int32_t *first;          /* (n) shape of the first way of each item */
+    int32_t *nway;           /* (n) */
+    bool *edge;              /* (n) */
+    double *area;            /* (n) of the hull of the first way */
+    double shortest;         /* no layout is shorter: the widest item, and the area */
 } mus__nest_problem;
 
 /* a layout that is kept: `at` (n) */
@@ -59,21 +59,21 @@ typedef struct mus__nest_kept {
 typedef struct mus__nest_run {
     const mus__nest_problem *problem;
     uint64_t random;
-    int64_t steps, limit; /* done, and allowed */
-    int64_t told;         /* steps at the last call of progress */
-    bool tells;           /* runs on the caller's thread */
+    int64_t steps, limit;  /* done, and allowed */
+    int64_t told;          /* steps at the last call of progress */
+    bool tells;            /* runs on the caller's thread */
     _Atomic int32_t *stop; /* shared by all runs: nonzero when progress asked to stop */
-    int32_t index;        /* number of the run */
-    double length;        /* of the strip now */
-    mus__nest_at *at;     /* (n) */
-    double *box;          /* (n x 4) low x, high x, low y, high y */
-    double *loss;         /* (n x n) of each pair, 0 without overlap; symmetric */
-    double *weight;       /* (n x n) symmetric */
-    int32_t *order;       /* (n) */
-    int32_t *near;        /* (most) sides of a shape near another */
-    double *corners;      /* (2 x most x 2) outlines of two items as they lie */
-    mus__nest_kept best;  /* the shortest layout without overlaps */
-    mus__nest_kept least; /* the layout of least loss of a separation */
+    int32_t index;         /* number of the run */
+    double length;         /* of the strip now */
+    mus__nest_at *at;      /* (n) */
+    double *box;           /* (n x 4) low x, high x, low y, high y */
+    double *loss;          /* (n x n) of each pair, 0 without overlap; symmetric */
+    double *weight;        /* (n x n) symmetric */
+    int32_t *order;        /* (n) */
+    int32_t *near;         /* (most) sides of a shape near another */
+    double *corners;       /* (2 x most x 2) outlines of two items as they lie */
+    mus__nest_kept best;   /* the shortest layout without overlaps */
+    mus__nest_kept least;  /* the layout of least loss of a separation */
     int32_t npool;
     mus__nest_kept pool[MUS__NEST_POOL]; /* the least loss first */
 } mus__nest_run;

@@ -6,7 +6,7 @@
 #include "geom/predicate.h"
 #include "nest/nest_internal.h"
 
-#define EPSILON 0.01 /* of the larger diameter: the depth below which overlap decays; Gardeyn and others, 2025 */
+#define PAIR_EPSILON 0.01 /* of the larger diameter: the depth below which overlap decays; Gardeyn and others, 2025 */
 
 
 /* twice the area of the triangle a, b, c, positive when it turns left; rounded */
@@ -82,10 +82,10 @@ double mus__nest_loss(const mus__nest_shape *a, const mus__nest_shape *b, const 
                       int64_t *steps)
 {
     if (!mus__nest_meets(a, b, shift, near, steps)) return 0.0;
-    const double epsilon = EPSILON * fmax(a->diameter, b->diameter);
+    const double epsilon = PAIR_EPSILON * fmax(a->diameter, b->diameter);
     *steps += a->poles.n * b->poles.n;
-    const double sum = (double)mus__nest_poles_f32(&a->poles, &b->poles, (float)shift[0], (float)shift[1],
-                                                   (float)epsilon);
+    const double sum =
+        (double)mus__nest_poles_f32(&a->poles, &b->poles, (float)shift[0], (float)shift[1], (float)epsilon);
     /* a square root makes a length of the area, and the sizes make large shapes heavier */
     return sqrt(sum + epsilon * epsilon) * sqrt(a->size * b->size);
 }

@@ -11,15 +11,15 @@
 
 #include "nest/nest_internal.h"
 
-#define KEPT 3          /* samples that are walked down */
-#define ANYWHERE 50     /* samples over the strip */
-#define AROUND 25       /* samples round the place now */
-#define COARSE_FROM 0.25 /* [of the shorter side of the box] first and last step of the first walk */
-#define COARSE_TO 0.02
-#define FINE_FROM 0.01 /* of the second walk */
-#define FINE_TO 0.001
-#define GROW 1.1 /* of a step after a success */
-#define SHRINK 0.5 /* after a failure */
+#define SEARCH_KEPT 3           /* samples that are walked down */
+#define SEARCH_ANYWHERE 50      /* samples over the strip */
+#define SEARCH_AROUND 25        /* samples round the place now */
+#define SEARCH_COARSE_FROM 0.25 /* [of the shorter side of the box] first and last step of the first walk */
+#define SEARCH_COARSE_TO 0.02
+#define SEARCH_FINE_FROM 0.01 /* of the second walk */
+#define SEARCH_FINE_TO 0.001
+#define SEARCH_GROW 1.1   /* of a step after a success */
+#define SEARCH_SHRINK 0.5 /* after a failure */
 
 typedef struct search_place {
     mus__nest_at at;
@@ -58,8 +58,8 @@ double mus__nest_weigh(mus__nest_run *run, int32_t i, const mus__nest_at *at, do
         const double *other = run->box + 4 * (int64_t)j;
         if (box[0] > other[1] || box[1] < other[0] || box[2] > other[3] || box[3] < other[2] || j == i) continue;
         const double shift[2] = {run->at[j].x - at->x, run->at[j].y - at->y};
-        const double loss = mus__nest_loss(shape, mus__nest_shape_of(run, j, run->at[j].way), shift, run->near,
-                                           &run->steps);
+        const double loss =
+            mus__nest_loss(shape, mus__nest_shape_of(run, j, run->at[j].way), shift, run->near, &run->steps);
         total += loss * weight[j];
         if (total >= bound) return total;
     }
@@ -71,8 +71,8 @@ double mus__nest_weigh(mus__nest_run *run, int32_t i, const mus__nest_at *at, do
 static void search_keep(const mus__nest_run *run, int32_t i, search_place *kept, const mus__nest_at *at, double loss)
 {
     const double near = 0.05 * mus__nest_shape_of(run, i, at->way)->least;
-    int32_t slot = KEPT - 1;
-    for (int32_t k = 0; k < KEPT; k++) {
+    int32_t slot = SEARCH_KEPT - 1;
+    for (int32_t k = 0; k < SEARCH_KEPT; k++) {
         if (kept[k].loss < HUGE_VAL && kept[k].at.way == at->way && fabs(kept[k].at.x - at->x) < near &&
             fabs(kept[k].at.y - at->y) < near) {
             if (kept[k].loss <= loss) return;
@@ -108,7 +108,7 @@ static void search_descend(mus__nest_run *run, int32_t i, search_place *place, d
             better = true;
         }
         /* along a diagonal both steps change, by the root */
-        const double factor = better ? GROW : axis < 2 ? SHRINK : 0.70710678118654752440;
+        const double factor = better ? SEARCH_GROW : axis < 2 ? SEARCH_SHRINK : 0.70710678118654752440;
         if (axis != 1) step[0] *= factor;
         if (axis != 0) step[1] *= factor;
     }
@@ -127,16 +127,16 @@ static int32_t search_way(mus__nest_run *run, int32_t i)
 
 void mus__nest_search(mus__nest_run *run, int32_t i)
 {
-    search_place kept[KEPT] = {{run->at[i], 0.0}, {run->at[i], HUGE_VAL}, {run->at[i], HUGE_VAL}};
+    search_place kept[SEARCH_KEPT] = {{run->at[i], 0.0}, {run->at[i], HUGE_VAL}, {run->at[i], HUGE_VAL}};
     const mus__nest_at now = run->at[i];
     kept[0].loss = mus__nest_weigh(run, i, &now, HUGE_VAL);
     const double before = kept[0].loss;
-    for (int32_t k = 0; k < ANYWHERE + AROUND && kept[0].loss > 0.0; k++) {
+    for (int32_t k = 0; k < SEARCH_ANYWHERE + SEARCH_AROUND && kept[0].loss > 0.0; k++) {
         mus__nest_at at = now;
         const double u = mus__nest_uniform(run), v = mus__nest_uniform(run);
-        if (k < ANYWHERE || k % 2 == 0) at.way = search_way(run, i);
+        if (k < SEARCH_ANYWHERE || k % 2 == 0) at.way = search_way(run, i);
         const mus__nest_shape *shape = mus__nest_shape_of(run, i, at.way);
-        if (k < ANYWHERE) {
+        if (k < SEARCH_ANYWHERE) {
             at.x = shape->half[0] + u * (run->length - 2.0 * shape->half[0]);
             at.y = shape->half[1] + v * (run->problem->def->height - 2.0 * shape->half[1]);
         } else {
@@ -144,17 +144,17 @@ void mus__nest_search(mus__nest_run *run, int32_t i)
             at.y += (2.0 * v - 1.0) * shape->half[1];
         }
         mus__nest_clamp(run, i, &at);
-        const double loss = mus__nest_weigh(run, i, &at, kept[KEPT - 1].loss);
-        if (loss < kept[KEPT - 1].loss) search_keep(run, i, kept, &at, loss);
+        const double loss = mus__nest_weigh(run, i, &at, kept[SEARCH_KEPT - 1].loss);
+        if (loss < kept[SEARCH_KEPT - 1].loss) search_keep(run, i, kept, &at, loss);
     }
     int32_t top = 0;
-    for (int32_t k = 0; k < KEPT && kept[top].loss > 0.0; k++) {
+    for (int32_t k = 0; k < SEARCH_KEPT && kept[top].loss > 0.0; k++) {
         if (!(kept[k].loss < HUGE_VAL)) continue;
         const double least = mus__nest_shape_of(run, i, kept[k].at.way)->least;
-        search_descend(run, i, &kept[k], COARSE_FROM * least, COARSE_TO * least);
+        search_descend(run, i, &kept[k], SEARCH_COARSE_FROM * least, SEARCH_COARSE_TO * least);
         if (kept[k].loss < kept[top].loss) top = k;
     }
     const double least = mus__nest_shape_of(run, i, kept[top].at.way)->least;
-    search_descend(run, i, &kept[top], FINE_FROM * least, FINE_TO * least);
+    search_descend(run, i, &kept[top], SEARCH_FINE_FROM * least, SEARCH_FINE_TO * least);
     if (kept[top].loss < before) mus__nest_put(run, i, &kept[top].at);
 }

@@ -13,17 +13,17 @@
 
 #include "nest/nest_internal.h"
 
-#define GROW_LEAST 1.2 /* factor of the weight of a pair that overlaps a little */
-#define GROW_MOST 2.0  /* of the worst pair */
-#define DECAY 0.95     /* of a pair that does not overlap */
-#define PROGRESS 0.98  /* a loss below this part of the least is progress */
-#define TELL 5000000   /* steps between two calls of progress; chosen: some milliseconds */
+#define SEPARATE_GROW_LEAST 1.2 /* factor of the weight of a pair that overlaps a little */
+#define SEPARATE_GROW_MOST 2.0  /* of the worst pair */
+#define SEPARATE_DECAY 0.95     /* of a pair that does not overlap */
+#define SEPARATE_PROGRESS 0.98  /* a loss below this part of the least is progress */
+#define SEPARATE_TELL 5000000   /* steps between two calls of progress; chosen: some milliseconds */
 
 
 bool mus__nest_over(mus__nest_run *run)
 {
     const mus__nest_def *def = run->problem->def;
-    if (run->tells && def->progress != NULL && run->steps - run->told >= TELL && *run->stop == 0) {
+    if (run->tells && def->progress != NULL && run->steps - run->told >= SEPARATE_TELL && *run->stop == 0) {
         run->told = run->steps;
         const double done = fmin(1.0, (double)run->steps / (double)run->limit);
         if (def->progress(def->user, done, run->best.length) != 0) *run->stop = 1;
@@ -113,8 +113,9 @@ static void separate_weigh(mus__nest_run *run, double most)
     const int64_t n = run->problem->n;
     for (int64_t k = 0; k < n * n; k++) {
         const double loss = run->loss[k], weight = run->weight[k];
-        run->weight[k] = loss > 0.0 ? weight * (GROW_LEAST + (GROW_MOST - GROW_LEAST) * loss / most)
-                                    : fmax(1.0, weight * DECAY);
+        run->weight[k] = loss > 0.0
+                             ? weight * (SEPARATE_GROW_LEAST + (SEPARATE_GROW_MOST - SEPARATE_GROW_LEAST) * loss / most)
+                             : fmax(1.0, weight * SEPARATE_DECAY);
     }
 }
 
@@ -150,13 +151,13 @@ bool mus__nest_separate(mus__nest_run *run, int32_t strikes, int32_t patience)
             separate_round(run);
             loss = separate_loss(run, &most);
             if (loss < run->least.loss) {
-                if (loss < PROGRESS * run->least.loss) quiet = -1;
+                if (loss < SEPARATE_PROGRESS * run->least.loss) quiet = -1;
                 mus__nest_keep(run, loss, &run->least);
             }
             if (loss > 0.0) separate_weigh(run, most);
         }
         if (!(loss > 0.0)) break;
-        strike = run->least.loss < PROGRESS * before ? 0 : strike + 1;
+        strike = run->least.loss < SEPARATE_PROGRESS * before ? 0 : strike + 1;
         mus__nest_restore(run, &run->least);
     }
     return !(loss > 0.0);

@@ -13,10 +13,10 @@
 #include "geom/polygon.h"
 #include "nest/nest_internal.h"
 
-#define GRID 40         /* columns and rows on which a centre is looked for; chosen */
-#define HALVINGS 20     /* of the step from the best point of the grid; chosen: below the rounding of float */
-#define COVERED 0.9     /* part of the area after which no more circles than half the most are made; chosen */
-#define PI 3.14159265358979323846
+#define SHAPE_GRID 40     /* columns and rows on which a centre is looked for; chosen */
+#define SHAPE_HALVINGS 20 /* of the step from the best point of the grid; chosen: below the rounding of float */
+#define SHAPE_COVERED 0.9 /* part of the area after which no more circles than half the most are made; chosen */
+#define SHAPE_PI 3.14159265358979323846
 
 
 /* signed distance of a point to the outline, above 0 inside, and to the circles so far, above 0 outside: the lesser */
@@ -33,18 +33,18 @@ static double shape_room(const mus__nest_shape *shape, int32_t npole, double x, 
 }
 
 
-/* find the centre of the next circle: out (2); returns its radius. rooms (GRID x GRID) holds the room of each point of
- * the grid */
+/* find the centre of the next circle: out (2); returns its radius. rooms (SHAPE_GRID x SHAPE_GRID) holds the room of
+ * each point of the grid */
 static double shape_centre(const mus__nest_shape *shape, int32_t npole, const double *rooms, double *out)
 {
     int32_t top = 0;
-    for (int32_t i = 1; i < GRID * GRID; i++)
+    for (int32_t i = 1; i < SHAPE_GRID * SHAPE_GRID; i++)
         if (rooms[i] > rooms[top]) top = i;
     double step[2], best = rooms[top];
-    for (int32_t d = 0; d < 2; d++) step[d] = 2.0 * shape->half[d] / GRID;
-    out[0] = -shape->half[0] + (top % GRID + 0.5) * step[0];
-    out[1] = -shape->half[1] + ((int32_t)(top / GRID) + 0.5) * step[1];
-    for (int32_t round = 0; round < HALVINGS; round++) {
+    for (int32_t d = 0; d < 2; d++) step[d] = 2.0 * shape->half[d] / SHAPE_GRID;
+    out[0] = -shape->half[0] + (top % SHAPE_GRID + 0.5) * step[0];
+    out[1] = -shape->half[1] + ((int32_t)(top / SHAPE_GRID) + 0.5) * step[1];
+    for (int32_t round = 0; round < SHAPE_HALVINGS; round++) {
         for (int32_t k = 0; k < 8; k++) {
             static const double ways[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
             const double x = out[0] + ways[k][0] * step[0], y = out[1] + ways[k][1] * step[1];
@@ -60,26 +60,26 @@ static double shape_centre(const mus__nest_shape *shape, int32_t npole, const do
 }
 
 
-/* make the circles of a shape; rooms (GRID x GRID) */
+/* make the circles of a shape; rooms (SHAPE_GRID x SHAPE_GRID) */
 static void shape_poles(mus__nest_shape *shape, double *rooms)
 {
     const double area = fabs(mus__polygon_area(shape->n, shape->xy));
     double covered = 0.0;
     int32_t n = 0;
-    for (int32_t i = 0; i < GRID * GRID; i++)
-        rooms[i] = shape_room(shape, 0, (2.0 * (i % GRID + 0.5) / GRID - 1.0) * shape->half[0],
-                              (2.0 * ((int32_t)(i / GRID) + 0.5) / GRID - 1.0) * shape->half[1]);
-    while (n < MUS__NEST_POLES && !(n >= MUS__NEST_POLES / 2 && covered > COVERED * area)) {
+    for (int32_t i = 0; i < SHAPE_GRID * SHAPE_GRID; i++)
+        rooms[i] = shape_room(shape, 0, (2.0 * (i % SHAPE_GRID + 0.5) / SHAPE_GRID - 1.0) * shape->half[0],
+                              (2.0 * ((int32_t)(i / SHAPE_GRID) + 0.5) / SHAPE_GRID - 1.0) * shape->half[1]);
+    while (n < MUS__NEST_POLES && !(n >= MUS__NEST_POLES / 2 && covered > SHAPE_COVERED * area)) {
         double centre[2];
         const double r = shape_centre(shape, n, rooms, centre);
         if (!(r > 0.0)) break;
         shape->poles.x[n] = (float)centre[0];
         shape->poles.y[n] = (float)centre[1];
         shape->poles.r[n++] = (float)r;
-        covered += PI * r * r;
-        for (int32_t i = 0; i < GRID * GRID; i++) {
-            const double dx = (2.0 * (i % GRID + 0.5) / GRID - 1.0) * shape->half[0] - centre[0];
-            const double dy = (2.0 * ((int32_t)(i / GRID) + 0.5) / GRID - 1.0) * shape->half[1] - centre[1];
+        covered += SHAPE_PI * r * r;
+        for (int32_t i = 0; i < SHAPE_GRID * SHAPE_GRID; i++) {
+            const double dx = (2.0 * (i % SHAPE_GRID + 0.5) / SHAPE_GRID - 1.0) * shape->half[0] - centre[0];
+            const double dy = (2.0 * ((int32_t)(i / SHAPE_GRID) + 0.5) / SHAPE_GRID - 1.0) * shape->half[1] - centre[1];
             rooms[i] = fmin(rooms[i], sqrt(dx * dx + dy * dy) - r);
         }
     }
@@ -112,7 +112,8 @@ mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, 
     shape->diameter = 2.0 * sqrt(shape->half[0] * shape->half[0] + shape->half[1] * shape->half[1]);
 
     int32_t *hull = mus__new(context, n, 2 * sizeof *hull);
-    double *rooms = mus__new(context, GRID * GRID, sizeof *rooms), *ring = mus__new(context, n, 2 * sizeof *ring);
+    double *rooms = mus__new(context, SHAPE_GRID * SHAPE_GRID, sizeof *rooms),
+           *ring = mus__new(context, n, 2 * sizeof *ring);
     if (hull != NULL && rooms != NULL && ring != NULL) {
         const int32_t m = mus__polygon_hull(n, xy, hull, hull + n);
         for (int32_t i = 0; i < m; i++) memcpy(ring + 2 * i, xy + 2 * hull[i], 2 * sizeof *ring);

@@ -19,6 +19,7 @@ typedef struct solve_work {
     int32_t nway;
     mus__nest_way *ways;     /* (nway) */
     double (*turns)[4];      /* (nway) from the frame of the outline to the cloth */
+    double (*boxes)[4];      /* (nway) of the cut line grown by the margin */
     double *xy;              /* points of all ways */
     int32_t *first;          /* (outlines x 4) first way of each outline and lie, or MUS_NONE */
     int32_t *count;          /* (outlines x 4) */
@@ -32,6 +33,7 @@ static void solve_free(solve_work *work)
     mus_context *context = work->layout->context;
     mus__free(context, work->ways);
     mus__free(context, work->turns);
+    mus__free(context, work->boxes);
     mus__free(context, work->xy);
     mus__free(context, work->first);
     mus__free(context, work->count);
@@ -84,16 +86,27 @@ static int32_t solve_turns(const mus_layout *layout, const mus__layout_outline *
 }
 
 
-/* x of the lowest point of the panel as it is drawn, in the frame of the cloth: the least x there; less the margin, so
- * that the stripes of the strip are those of the cloth */
-static void solve_stripe(const mus_layout *layout, const mus__layout_outline *outline, const double *turn,
+/* set what is kept within the strip, the cut line grown by the margin, and what is laid on a stripe: the lowest point
+ * of the panel as it is drawn, which has the least x in the frame of the cloth; less the margin, so that the stripes of
+ * the strip are those of the cloth */
+static void solve_bounds(const mus_layout *layout, const mus__layout_polygon *cut, const double *turn, double *box,
                          mus__nest_way *way)
 {
-    const mus__layout_polygon *cut = &outline->cut;
-    int32_t low = 0;
-    for (int32_t i = 1; i < cut->n; i++)
-        if (cut->xy[2 * i] < cut->xy[2 * low]) low = i;
-    way->stripe = turn[0] * cut->xy[2 * low] + turn[1] * cut->xy[2 * low + 1] - layout->margin;
+    int32_t least = 0;
+    for (int32_t d = 0; d < 2; d++) {
+        box[d] = HUGE_VAL;
+        box[2 + d] = -HUGE_VAL;
+    }
+    for (int32_t i = 0; i < cut->n; i++) {
+        if (cut->xy[2 * i] < cut->xy[2 * least]) least = i;
+        for (int32_t d = 0; d < 2; d++) {
+            const double at = turn[2 * d] * cut->xy[2 * i] + turn[2 * d + 1] * cut->xy[2 * i + 1];
+            box[d] = fmin(box[d], at - layout->margin);
+            box[2 + d] = fmax(box[2 + d], at + layout->margin);
+        }
+    }
+    way->box = box;
+    way->stripe = turn[0] * cut->xy[2 * least] + turn[1] * cut->xy[2 * least + 1] - layout->margin;
 }
 
 
@@ -118,7 +131,8 @@ static void solve_ways(solve_work *work, int64_t *points, double (*turns)[4])
             }
             work->ways[work->nway].n = grown->n;
             work->ways[work->nway].xy = xy;
-            solve_stripe(layout, outline, turn, &work->ways[work->nway]);
+            solve_bounds(layout, lie == MUS__LIE_HALF ? &outline->half : &outline->cut, turn, work->boxes[work->nway],
+                         &work->ways[work->nway]);
         }
         if (work->xy == NULL) continue;
         work->first[i] = work->nway - n;
@@ -139,13 +153,14 @@ static mus_status solve_make(mus_layout *layout, solve_work *work)
     solve_ways(work, &points, turns);
     work->ways = mus__new(context, work->nway, sizeof *work->ways);
     work->turns = mus__new(context, work->nway, sizeof *work->turns);
+    work->boxes = mus__new(context, work->nway, sizeof *work->boxes);
     work->first = mus__new(context, layout->noutline, 4 * sizeof *work->first);
     work->count = mus__new(context, layout->noutline, 4 * sizeof *work->count);
     work->items = mus__new(context, layout->npart, sizeof *work->items);
     work->places = mus__new(context, layout->npart, sizeof *work->places);
     double *xy = mus__new(context, points, 2 * sizeof *xy);
-    const bool made = work->ways != NULL && work->turns != NULL && work->first != NULL && work->count != NULL &&
-                      work->items != NULL && work->places != NULL && xy != NULL;
+    const bool made = work->ways != NULL && work->turns != NULL && work->boxes != NULL && work->first != NULL &&
+                      work->count != NULL && work->items != NULL && work->places != NULL && xy != NULL;
     work->xy = xy;
     if (made) solve_ways(work, &points, turns);
     mus__free(context, turns);

@@ -120,7 +120,7 @@ static bool nest_bound(mus__nest_problem *problem, int32_t *bad)
         double width = HUGE_VAL;
         for (int32_t k = 0; k < problem->nway[i]; k++) {
             const mus__nest_shape *shape = &problem->shapes[problem->first[i] + k];
-            if (2.0 * shape->half[1] <= problem->def->height) width = fmin(width, 2.0 * shape->half[0]);
+            if (mus__nest_fits(problem, shape, HUGE_VAL)) width = fmin(width, shape->high[0] - shape->low[0]);
         }
         if (!(width < HUGE_VAL)) {
             *bad = i;

@@ -34,7 +34,7 @@ static int32_t explore_way(const mus__nest_run *run, int32_t i, double length)
     int32_t way = 0;
     for (; way < run->problem->nway[i]; way++) {
         const mus__nest_shape *shape = mus__nest_shape_of(run, i, way);
-        if (2.0 * shape->half[1] <= run->problem->def->height && 2.0 * shape->half[0] <= length) break;
+        if (mus__nest_fits(run->problem, shape, length)) break;
     }
     return way;
 }
@@ -62,23 +62,21 @@ static void explore_columns(mus__nest_run *run)
         for (; k > 0 && explore_before(run, i, run->order[k - 1]); k--) run->order[k] = run->order[k - 1];
         run->order[k] = i;
     }
+    const double apart = 1e-6 * problem->def->height, stripe = problem->def->stripe;
     double left = 0.0, right = 0.0, low = HUGE_VAL;
     for (int32_t k = 0; k < n; k++) {
         const int32_t i = run->order[k];
         const mus__nest_shape *shape = mus__nest_shape_of(run, i, run->at[i].way);
-        const double apart = 1e-6 * problem->def->height;
-        if (problem->edge[i] || low + 2.0 * shape->half[1] > problem->def->height) {
+        mus__nest_at *at = &run->at[i];
+        at->y = fmax(low + shape->half[1], -shape->low[1]);
+        if (problem->edge[i] || at->y + shape->high[1] > problem->def->height) {
             left = right;
-            low = 0.0;
+            at->y = -shape->low[1];
         }
-        run->at[i].x = left + shape->half[0] + apart;
-        run->at[i].y = low + shape->half[1];
-        if (problem->def->stripe > 0.0) {
-            const double stripe = problem->def->stripe, line = ceil((run->at[i].x + shape->stripe) / stripe);
-            run->at[i].x = line * stripe - shape->stripe;
-        }
-        right = fmax(right, run->at[i].x + shape->half[0]);
-        low += 2.0 * shape->half[1] + apart;
+        at->x = left + fmax(shape->half[0], -shape->low[0]) + apart;
+        if (stripe > 0.0) at->x = ceil((at->x + shape->stripe) / stripe) * stripe - shape->stripe;
+        right = fmax(right, at->x + fmax(shape->half[0], shape->high[0]));
+        low = at->y + shape->half[1] + apart;
     }
     run->length = right + 1e-6 * problem->def->height;
     mus__nest_keep(run, 0.0, &run->best);
@@ -96,7 +94,7 @@ static void explore_shorten(mus__nest_run *run, double length, double split)
     next->length = run->length = length;
     for (int32_t i = 0; i < n; i++) {
         mus__nest_at *at = &next->at[i];
-        if (2.0 * mus__nest_shape_of(run, i, at->way)->half[0] > length) {
+        if (!mus__nest_fits(run->problem, mus__nest_shape_of(run, i, at->way), length)) {
             const int32_t way = explore_way(run, i, length);
             if (way < run->problem->nway[i]) at->way = way;
         }

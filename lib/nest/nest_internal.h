@@ -22,6 +22,8 @@ typedef struct mus__nest_shape {
     const double *given; /* (n x 2) as the caller gave it */
     double middle[2];    /* of the box, in the caller's coordinates */
     double half[2];      /* half the width and the height of the box */
+    double low[2];       /* what is kept within the strip, */
+    double high[2];      /* counted from the middle */
     double diameter;     /* of the box */
     double size;         /* square root of the area of the convex hull */
     double least;        /* the shorter side of the box */
@@ -103,6 +105,12 @@ float mus__nest_poles_f32(const mus__nest_poles *a, const mus__nest_poles *b, fl
 static inline const mus__nest_shape *mus__nest_shape_of(const mus__nest_run *run, int32_t i, int32_t way)
 {
     return &run->problem->shapes[run->problem->first[i] + way];
+}
+
+/* whether a shape is within a strip of that length */
+static inline bool mus__nest_fits(const mus__nest_problem *problem, const mus__nest_shape *shape, double length)
+{
+    return shape->high[0] - shape->low[0] <= length && shape->high[1] - shape->low[1] <= problem->def->height;
 }
 
 /* next random number; Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014 */

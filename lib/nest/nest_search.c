@@ -31,14 +31,15 @@ void mus__nest_clamp(const mus__nest_run *run, int32_t i, mus__nest_at *at)
 {
     const mus__nest_problem *problem = run->problem;
     const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
-    const double right = run->length - shape->half[0], top = problem->def->height - shape->half[1];
+    const double left = -shape->low[0], right = run->length - shape->high[0];
+    const double bottom = -shape->low[1], top = problem->def->height - shape->high[1];
     const double stripe = problem->def->stripe;
-    at->x = fmax(shape->half[0], fmin(at->x, right));
-    at->y = problem->edge[i] ? shape->half[1] : fmax(shape->half[1], fmin(at->y, top));
+    at->x = fmax(left, fmin(at->x, right));
+    at->y = problem->edge[i] ? bottom : fmax(bottom, fmin(at->y, top));
     if (!(stripe > 0.0)) return;
     double line = nearbyint((at->x + shape->stripe) / stripe) * stripe - shape->stripe;
     if (line > right) line -= stripe;
-    if (line < shape->half[0]) line += stripe;
+    if (line < left) line += stripe;
     at->x = line;
 }
 
@@ -53,7 +54,7 @@ double mus__nest_weigh(mus__nest_run *run, int32_t i, const mus__nest_at *at, do
     double total = 0.0;
     run->steps += 20 + n;
     /* with stripes there may be no line within the strip */
-    if (box[1] > run->length * (1.0 + 1e-12)) total += run->problem->def->height * shape->size;
+    if (at->x + shape->high[0] > run->length * (1.0 + 1e-12)) total += run->problem->def->height * shape->size;
     for (int32_t j = 0; j < n; j++) {
         const double *other = run->box + 4 * (int64_t)j;
         if (box[0] > other[1] || box[1] < other[0] || box[2] > other[3] || box[3] < other[2] || j == i) continue;
@@ -120,8 +121,7 @@ static int32_t search_way(mus__nest_run *run, int32_t i)
 {
     const int32_t way = mus__nest_below(run, run->problem->nway[i]);
     const mus__nest_shape *shape = mus__nest_shape_of(run, i, way);
-    const bool fits = 2.0 * shape->half[0] <= run->length && 2.0 * shape->half[1] <= run->problem->def->height;
-    return fits ? way : run->at[i].way;
+    return mus__nest_fits(run->problem, shape, run->length) ? way : run->at[i].way;
 }
 
 
@@ -137,8 +137,8 @@ void mus__nest_search(mus__nest_run *run, int32_t i)
         if (k < SEARCH_ANYWHERE || k % 2 == 0) at.way = search_way(run, i);
         const mus__nest_shape *shape = mus__nest_shape_of(run, i, at.way);
         if (k < SEARCH_ANYWHERE) {
-            at.x = shape->half[0] + u * (run->length - 2.0 * shape->half[0]);
-            at.y = shape->half[1] + v * (run->problem->def->height - 2.0 * shape->half[1]);
+            at.x = u * (run->length - shape->high[0]) - (1.0 - u) * shape->low[0];
+            at.y = v * (run->problem->def->height - shape->high[1]) - (1.0 - v) * shape->low[1];
         } else {
             at.x += (2.0 * u - 1.0) * shape->half[0];
             at.y += (2.0 * v - 1.0) * shape->half[1];

@@ -63,7 +63,7 @@ static void separate_pairs(mus__nest_run *run, int32_t i, int32_t first)
         run->loss[(int64_t)i * n + j] = run->loss[(int64_t)j * n + i] = loss;
     }
     /* the item itself: beyond the end of the strip, which stripes may bring about */
-    if (box[1] > run->length * (1.0 + 1e-12)) run->loss[(int64_t)i * n + i] = run->problem->def->height * shape->size;
+    if (at->x + shape->high[0] > run->length * (1.0 + 1e-12)) run->loss[(int64_t)i * n + i] = run->problem->def->height * shape->size;
 }
 
 

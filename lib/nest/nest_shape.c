@@ -107,6 +107,10 @@ mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, 
             shape->half[d] = fmax(shape->half[d], fabs(xy[2 * i + d]));
         }
     }
+    for (int32_t d = 0; d < 2; d++) {
+        shape->low[d] = way->box != NULL ? way->box[d] - shape->middle[d] : -shape->half[d];
+        shape->high[d] = way->box != NULL ? way->box[2 + d] - shape->middle[d] : shape->half[d];
+    }
     shape->stripe = way->stripe - shape->middle[0];
     shape->least = 2.0 * fmin(shape->half[0], shape->half[1]);
     shape->diameter = 2.0 * sqrt(shape->half[0] * shape->half[0] + shape->half[1] * shape->half[1]);

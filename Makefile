@@ -52,8 +52,7 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
-$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))
-OMIT_layout = layout nest cutter/layout_svg
+$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))$(eval OMIT_layout := layout nest cutter/layout_svg)
 OMIT_design = block half style finish design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
@@ -233,7 +232,6 @@ $(STUDIES): %: # by a second make, so that pkg-config sees what was just install
 $(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROGRAMS)),all)
 	@mkdir -p $(OUT)/out
 	$(Q)$(RUN_$*)
-# ---- the rest ----
 packages:; @sh tests/guard/packages.sh build test
 install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build

@@ -14,6 +14,24 @@
 #include "pattern/polygon_offset.h"
 
 
+void mus__layout_polygon_free(mus_context *context, mus__layout_polygon *polygon)
+{
+    mus__free(context, polygon->xy);
+    polygon->xy = NULL;
+    polygon->n = 0;
+}
+
+
+mus_status mus__layout_polygon_make(mus_context *context, int32_t n, mus__layout_polygon *polygon)
+{
+    mus__layout_polygon_free(context, polygon);
+    polygon->xy = mus__new(context, n, 2 * sizeof *polygon->xy);
+    if (polygon->xy == NULL) return mus__fail_memory(context, "an outline of a layout");
+    polygon->n = n;
+    return MUS_OK;
+}
+
+
 /* square of the distance of p to the segment a, b */
 static double grow_distance(const double *p, const double *a, const double *b)
 {

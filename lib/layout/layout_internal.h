@@ -69,6 +69,7 @@ struct mus_layout {
     int64_t steps;
 };
 
+/* polygons (layout_grow.c) */
 void mus__layout_polygon_free(mus_context *context, mus__layout_polygon *polygon);
 /* make room for n points; what they hold is not set */
 mus_status mus__layout_polygon_make(mus_context *context, int32_t n, mus__layout_polygon *polygon);

@@ -11,24 +11,6 @@
 #define OUTLINE_SAME_NOTCH 1e-3 /* [m] two notches this near are mirror images; as there */
 
 
-void mus__layout_polygon_free(mus_context *context, mus__layout_polygon *polygon)
-{
-    mus__free(context, polygon->xy);
-    polygon->xy = NULL;
-    polygon->n = 0;
-}
-
-
-mus_status mus__layout_polygon_make(mus_context *context, int32_t n, mus__layout_polygon *polygon)
-{
-    mus__layout_polygon_free(context, polygon);
-    polygon->xy = mus__new(context, n, 2 * sizeof *polygon->xy);
-    if (polygon->xy == NULL) return mus__fail_memory(context, "an outline of a layout");
-    polygon->n = n;
-    return MUS_OK;
-}
-
-
 void mus__layout_outline_free(mus_context *context, mus__layout_outline *outline)
 {
     mus__free(context, outline->turns);

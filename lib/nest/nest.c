@@ -9,7 +9,7 @@
 
 #include "base/thread_pool.h"
 #include "geom/polygon.h"
-#include "nest/nest_internal.h"
+#include "nest/nest_run.h"
 
 
 typedef struct nest_work {

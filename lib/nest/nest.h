@@ -14,9 +14,9 @@
 /* one way that an item may lie: a simple polygon, either way round */
 typedef struct mus__nest_way {
     int32_t n;
-    const double *xy; /* (n x 2) */
+    const double *xy;  /* (n x 2) */
     const double *box; /* low x, low y, high x, high y that is kept within the strip; NULL: that of the polygon */
-    double stripe;    /* x of the polygon that is laid on a stripe, when there are stripes */
+    double stripe;     /* x of the polygon that is laid on a stripe, when there are stripes */
 } mus__nest_way;
 
 typedef struct mus__nest_item {

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "nest/nest_internal.h"
+#include "nest/nest_run.h"
 
 #define EXPLORE_WIDE 0.8          /* part of the steps for exploring */
 #define EXPLORE_STEP_LEAST 0.001  /* [of the length] step of exploring */

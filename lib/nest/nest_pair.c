@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "geom/predicate.h"
-#include "nest/nest_internal.h"
+#include "nest/nest_shape.h"
 
 #define PAIR_EPSILON 0.01 /* of the larger diameter: the depth below which overlap decays; Gardeyn and others, 2025 */
 

@@ -9,11 +9,10 @@
 #include <math.h>
 
 #include "base/target_clones.h"
-#include "nest/nest_internal.h"
+#include "nest/nest_shape.h"
 
 
-MUS_CLONES float mus__nest_poles_f32(const mus__nest_poles *a, const mus__nest_poles *b, float dx, float dy,
-                                     float epsilon)
+MUS_CLONES static float poles_sum(const mus__nest_poles *a, const mus__nest_poles *b, float dx, float dy, float epsilon)
 {
     float sum[MUS__NEST_LANES] = {0.0f};
     const float square = epsilon * epsilon, twice = 2.0f * epsilon;
@@ -32,4 +31,11 @@ MUS_CLONES float mus__nest_poles_f32(const mus__nest_poles *a, const mus__nest_p
     for (int32_t width = MUS__NEST_LANES / 2; width > 0; width /= 2)
         for (int32_t k = 0; k < width; k++) sum[k] += sum[k + width];
     return sum[0];
+}
+
+
+/* a clone shows its name outside the library: so it is not the clone that others call */
+float mus__nest_poles_f32(const mus__nest_poles *a, const mus__nest_poles *b, float dx, float dy, float epsilon)
+{
+    return poles_sum(a, b, dx, dy, epsilon);
 }

@@ -9,7 +9,7 @@
  */
 #include <math.h>
 
-#include "nest/nest_internal.h"
+#include "nest/nest_run.h"
 
 #define SEARCH_KEPT 3           /* samples that are walked down */
 #define SEARCH_ANYWHERE 50      /* samples over the strip */
@@ -25,47 +25,6 @@ typedef struct search_place {
     mus__nest_at at;
     double loss;
 } search_place;
-
-
-void mus__nest_clamp(const mus__nest_run *run, int32_t i, mus__nest_at *at)
-{
-    const mus__nest_problem *problem = run->problem;
-    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
-    const double left = -shape->low[0], right = run->length - shape->high[0];
-    const double bottom = -shape->low[1], top = problem->def->height - shape->high[1];
-    const double stripe = problem->def->stripe;
-    at->x = fmax(left, fmin(at->x, right));
-    at->y = problem->edge[i] ? bottom : fmax(bottom, fmin(at->y, top));
-    if (!(stripe > 0.0)) return;
-    double line = nearbyint((at->x + shape->stripe) / stripe) * stripe - shape->stripe;
-    if (line > right) line -= stripe;
-    if (line < left) line += stripe;
-    at->x = line;
-}
-
-
-double mus__nest_weigh(mus__nest_run *run, int32_t i, const mus__nest_at *at, double bound)
-{
-    const int32_t n = run->problem->n;
-    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
-    const double box[4] = {at->x - shape->half[0], at->x + shape->half[0], at->y - shape->half[1],
-                           at->y + shape->half[1]};
-    const double *weight = run->weight + (int64_t)i * n;
-    double total = 0.0;
-    run->steps += 20 + n;
-    /* with stripes there may be no line within the strip */
-    if (at->x + shape->high[0] > run->length * (1.0 + 1e-12)) total += run->problem->def->height * shape->size;
-    for (int32_t j = 0; j < n; j++) {
-        const double *other = run->box + 4 * (int64_t)j;
-        if (box[0] > other[1] || box[1] < other[0] || box[2] > other[3] || box[3] < other[2] || j == i) continue;
-        const double shift[2] = {run->at[j].x - at->x, run->at[j].y - at->y};
-        const double loss =
-            mus__nest_loss(shape, mus__nest_shape_of(run, j, run->at[j].way), shift, run->near, &run->steps);
-        total += loss * weight[j];
-        if (total >= bound) return total;
-    }
-    return total;
-}
 
 
 /* keep a place among the best; one that is near a kept one replaces it or is dropped */

@@ -11,84 +11,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "nest/nest_internal.h"
+#include "nest/nest_run.h"
 
 #define SEPARATE_GROW_LEAST 1.2 /* factor of the weight of a pair that overlaps a little */
 #define SEPARATE_GROW_MOST 2.0  /* of the worst pair */
 #define SEPARATE_DECAY 0.95     /* of a pair that does not overlap */
 #define SEPARATE_PROGRESS 0.98  /* a loss below this part of the least is progress */
-#define SEPARATE_TELL 5000000   /* steps between two calls of progress; chosen: some milliseconds */
-
-
-bool mus__nest_over(mus__nest_run *run)
-{
-    const mus__nest_def *def = run->problem->def;
-    if (run->tells && def->progress != NULL && run->steps - run->told >= SEPARATE_TELL && *run->stop == 0) {
-        run->told = run->steps;
-        const double done = fmin(1.0, (double)run->steps / (double)run->limit);
-        if (def->progress(def->user, done, run->best.length) != 0) *run->stop = 1;
-    }
-    return *run->stop != 0 || run->steps >= run->limit;
-}
-
-
-/* set the place of item i and its box */
-static void separate_lay(mus__nest_run *run, int32_t i, const mus__nest_at *at)
-{
-    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
-    double *box = run->box + 4 * (int64_t)i;
-    run->at[i] = *at;
-    box[0] = at->x - shape->half[0];
-    box[1] = at->x + shape->half[0];
-    box[2] = at->y - shape->half[1];
-    box[3] = at->y + shape->half[1];
-}
-
-
-/* set the losses of item i with the items from `first` on */
-static void separate_pairs(mus__nest_run *run, int32_t i, int32_t first)
-{
-    const int32_t n = run->problem->n;
-    const double *box = run->box + 4 * (int64_t)i;
-    const mus__nest_at *at = &run->at[i];
-    const mus__nest_shape *shape = mus__nest_shape_of(run, i, at->way);
-    run->steps += n;
-    for (int32_t j = first; j < n; j++) {
-        const double *other = run->box + 4 * (int64_t)j;
-        double loss = 0.0;
-        if (!(box[0] > other[1] || box[1] < other[0] || box[2] > other[3] || box[3] < other[2] || j == i)) {
-            const double shift[2] = {run->at[j].x - at->x, run->at[j].y - at->y};
-            loss = mus__nest_loss(shape, mus__nest_shape_of(run, j, run->at[j].way), shift, run->near, &run->steps);
-        }
-        run->loss[(int64_t)i * n + j] = run->loss[(int64_t)j * n + i] = loss;
-    }
-    /* the item itself: beyond the end of the strip, which stripes may bring about */
-    if (at->x + shape->high[0] > run->length * (1.0 + 1e-12)) run->loss[(int64_t)i * n + i] = run->problem->def->height * shape->size;
-}
-
-
-void mus__nest_put(mus__nest_run *run, int32_t i, const mus__nest_at *at)
-{
-    separate_lay(run, i, at);
-    separate_pairs(run, i, 0);
-}
-
-
-void mus__nest_keep(const mus__nest_run *run, double loss, mus__nest_kept *kept)
-{
-    kept->length = run->length;
-    kept->loss = loss;
-    memcpy(kept->at, run->at, (size_t)run->problem->n * sizeof *kept->at);
-}
-
-
-void mus__nest_restore(mus__nest_run *run, const mus__nest_kept *kept)
-{
-    const int32_t n = run->problem->n;
-    run->length = kept->length;
-    for (int32_t i = 0; i < n; i++) separate_lay(run, i, &kept->at[i]);
-    for (int32_t i = 0; i < n; i++) separate_pairs(run, i, i);
-}
 
 
 /* sum of the losses of all pairs, and the largest */

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "geom/polygon.h"
-#include "nest/nest_internal.h"
+#include "nest/nest_shape.h"
 
 #define SHAPE_GRID 40     /* columns and rows on which a centre is looked for; chosen */
 #define SHAPE_HALVINGS 20 /* of the step from the best point of the grid; chosen: below the rounding of float */

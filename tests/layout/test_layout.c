@@ -158,7 +158,7 @@ static void ensure_counts(const mus_layout *layout, const mus_pattern *pattern, 
 }
 
 
-static const char *const designs[] = {"jeans", "tshirt", "shirt", "skirt", "dress_sheath"};
+static const char *const designs[] = {"jeans", "tshirt", "shirt", "skirt", "sheath"};
 
 
 START_TEST(pieces_of_designs_are_all_there_a_gap_apart)

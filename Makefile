@@ -52,11 +52,11 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
-$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))
+$(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))$(eval OMIT_layout := layout nest cutter/layout_svg)
 OMIT_design = block half style finish design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
-OMIT_pattern = pattern topology board edit $(OMIT_design) $(OMIT_cloth) print catalogue
+OMIT_pattern = pattern topology board edit $(OMIT_layout) $(OMIT_design) $(OMIT_cloth) print catalogue
 OMIT_body = body limb pose scan manifold fit $(OMIT_design) exchange dress/dress dress/dress_start drape/scene_pose \
   arrange/arrange $(addprefix arrange/arrange_,clear from_pattern limb ring)
 LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such module; man muslin(3) lists them)))
@@ -189,6 +189,7 @@ RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $
 RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
+RUN_layout = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/layout/layout.py --data '$(MUSLIN_DATA)' $(LAYOUT)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery --strip examples/gallery/strip.png
 RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)
 RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)

@@ -9,6 +9,7 @@ int command_grade(int argc, char **argv);
 int command_dress(int argc, char **argv);
 int command_sheet(int argc, char **argv);
 int command_print(int argc, char **argv);
+int command_layout(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_seams(int argc, char **argv);
 int command_catalogue(int argc, char **argv);

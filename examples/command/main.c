@@ -23,6 +23,7 @@ static const struct {
     {"dress", command_dress, "sew and drape a garment: picture, mesh, report"},
     {"sheet", command_sheet, "dress many designs on many bodies, as one picture"},
     {"print", command_print, "write paper ready to cut: PDF, SVG"},
+    {"layout", command_layout, "lay pieces on cloth: metres, a drawing"},
     {"convert", command_convert, "convert a pattern or tape file to another form"},
     {"seams", command_seams, "propose the seams of a pattern whose file has none"},
     {"catalogue", command_catalogue, "add patterns to a catalogue file"},

@@ -14,6 +14,7 @@
 #include "muslin/pattern.h"
 #include "muslin/topology.h"
 #include "muslin/edit.h"
+#include "muslin/layout.h"
 #include "muslin/design.h"
 #include "muslin/cloth.h"
 #include "muslin/arrange.h"

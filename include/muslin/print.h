@@ -9,6 +9,7 @@
 #define MUSLIN_PRINT_H
 
 #include "muslin/base.h"
+#include "muslin/layout.h"
 #include "muslin/pattern.h"
 
 #ifdef __cplusplus
@@ -177,6 +178,21 @@ MUS_API mus_status mus_pattern_write_instructions(const mus_pattern *pattern, co
  * mus_pattern_write_instructions() */
 MUS_API mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes,
                                                         size_t *size);
+
+/* ---- a layout on cloth (muslin/layout.h) ---- */
+
+/**
+ * Draw a layout as SVG at true scale: the cloth with its fold and selvedges, the pieces with their names, grain arrows,
+ * a scale in decimetres. The cloth runs to the right; the fold, or the lower selvedge, is at the bottom.
+ *
+ * Units:  millimetres in the file; each piece is a group with the name of its panel
+ * Errors: MUS_ERR_ARG (layout or path NULL), MUS_ERR_FILE, MUS_ERR_MEMORY. A failure leaves no half file; path "-"
+ *         writes to standard output
+ */
+MUS_API mus_status mus_layout_write_svg(const mus_layout *layout, const char *path);
+
+/** Draw a layout as SVG into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as mus_layout_write_svg() */
+MUS_API mus_status mus_layout_write_svg_bytes(const mus_layout *layout, char **bytes, size_t *size);
 
 /* ---- DXF and RUL, for cutters and CAD of the trade ---- */
 

@@ -38,4 +38,7 @@ void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const d
 /* draw title and instructions on the sheet, at `legend` */
 void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out);
 
+/* write the text of an SVG element: markup characters escaped, characters that XML or UTF-8 do not allow as '?' */
+void mus__svg_text(mus__sink *bytes, const char *text);
+
 #endif

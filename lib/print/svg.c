@@ -19,8 +19,7 @@
 static const char *const layer_names[MUS__LAYER_COUNT] = {"cut", "seam", "notches", "grain", "marks", "label"};
 
 
-/* write the text of an element: markup characters escaped, characters that XML or UTF-8 do not allow as '?' */
-static void svg_text(mus__sink *bytes, const char *text)
+void mus__svg_text(mus__sink *bytes, const char *text)
 {
     while (*text != '\0') {
         const char *from = text;
@@ -120,7 +119,7 @@ static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
     char name[SVG_NAME];
     svg_identifier(sheet, index, name);
     mus__sink_print(bytes, "<g id=\"%s\">\n<title>", name);
-    svg_text(bytes, sheet->names[index]);
+    mus__svg_text(bytes, sheet->names[index]);
     mus__sink_print(bytes, "</title>\n");
     for (int32_t layer = 0; layer < MUS__LAYER_COUNT; layer++) {
         mus__sink_print(bytes, "<g id=\"%s.%s\">\n", name, layer_names[layer]);
@@ -174,7 +173,7 @@ static mus_status svg_write(const mus_sheet *sheet, const mus__target *target, c
     mus__sink_add(&bytes, " ", 1);
     mus__print_number(&bytes, height);
     mus__sink_print(&bytes, "\">\n<title>");
-    svg_text(&bytes, sheet->title);
+    mus__svg_text(&bytes, sheet->title);
     mus__sink_print(&bytes, "</title>\n");
     for (int32_t i = 0; i < sheet->npiece; i++) svg_piece(&bytes, sheet, i);
     status = svg_scale(&bytes, sheet);

@@ -3,7 +3,7 @@ import json
 
 import pytest
 
-COMMANDS = ["body", "designs", "draft", "grade", "dress", "print", "convert", "seams", "catalogue", "find", "bench", "verify"]
+COMMANDS = ["body", "designs", "draft", "grade", "dress", "print", "layout", "convert", "seams", "catalogue", "find", "bench", "verify"]
 TAPES = ["w40", "m50", "child116"]
 REPORT_KEYS = {"status", "nodes", "springs", "seams_closed", "max_seam_gap_mm", "max_penetration_mm", "max_strain",
                "seconds", "steps", "step_s", "step_bound_s", "spring_evaluations", "contact_queries", "skipped",
@@ -296,6 +296,8 @@ def test_a_tape_in_contradiction_is_refused_with_both_names(command, tmp_path, o
     (["dress", "--design", "skirt", "--size", "W40", "--threads", "1e9"], "--threads"),
     (["dress", "--design", "skirt", "--size", "W40", "--fabric", "lead"], "lead"),
     (["print", "--design", "skirt", "--size", "W40"], "--pdf"),
+    (["layout", "--design", "skirt", "--size", "W40", "--material", "silk"], "--material silk"),
+    (["layout", "--design", "skirt", "--size", "W40", "--width", "300"], "wider than the cloth"),
     (["print", "--design", "skirt", "--size", "W40", "--pdf", "x.pdf", "--paper", "a9"], "a9"),
     (["convert", "only-one.json"], "two files"),
 ], ids=lambda value: " ".join(value) if isinstance(value, list) else "")
@@ -336,3 +338,22 @@ def test_an_old_output_survives_a_failed_one(command, tmp_path, tape):
     command("convert", tmp_path / "not-there.json", old, code=2)
     command("draft", "--design", "spacesuit", "--tape", tape, "-o", old, code=2)
     assert old.read_text() == "old"
+
+
+def test_layout_tells_metres_and_draws_each_material(command, tmp_path):
+    quick = ["layout", "--design", "shirt", "--size", "W40", "--effort", "0.02", "--width", "1400", "--nap"]
+    told = json.loads(command(*quick, "--fold", "--json", "--svg", tmp_path / "cloth.svg").stdout)
+    assert told["width_m"] == 1.4 and 0.8 < told["length_m"] < 2.0 and 0.5 < told["utilisation"] < 1.0
+    assert [m["material"] for m in told["materials"]] == ["main", "interfacing"]
+    assert told["materials"][0]["pieces"] == told["pieces"] and told["folded_m"] <= told["length_m"]
+    assert (tmp_path / "cloth.svg").stat().st_size > 1000 and (tmp_path / "cloth-interfacing.svg").stat().st_size > 1000
+    for piece in told["pieces"]:
+        assert not piece["turned"] and max(piece["outline_m"][::2]) <= told["length_m"] + 1e-6
+    area = sum(abs(sum(xy[i] * xy[i + 3 - n] - xy[i + 1] * xy[i + 2 - n]
+                       for i in range(0, len(xy), 2) for n in [len(xy) if i + 2 == len(xy) else 0])) / 2
+               * (2 if p["on_fold"] else p["layers"] - p["spare"]) for p in told["pieces"] for xy in [p["outline_m"]])
+    assert area / told["width_m"] / told["length_m"] == pytest.approx(told["utilisation"], rel=1e-4)
+    line = command(*quick, "--material", "main").stdout.decode()
+    assert line.startswith("main: ") and " m of 1.40 m wide; " in line and len(line.splitlines()) == 1
+    again = [command(*quick, "--runs", "3", "--threads", n, "--json").stdout for n in ("1", "3")]
+    assert again[0] == again[1]

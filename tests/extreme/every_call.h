@@ -123,6 +123,11 @@
     X(mus_move_create, nothing, (w->context, 1, w->real, &w->pose, 0.0, &w->made.move))                                \
     X(mus_move_named, nothing, (w->context, "walk", 1.7, &w->made.move))                                               \
     X(mus_body_move, nothing, (w->have.body, "walk", 0.01, &w->made.move))                                             \
+    X(mus_layout_create, nothing, (w->context, P, &w->layout_def, &w->made.layout))                                    \
+    X(mus_layout_create_items, nothing,                                                                                \
+      (w->context, 1, &w->layout_item, &w->layout_def, &w->made.layout))                                               \
+    X(mus_layout_write_svg, nothing, (w->have.layout, w->path))                                                        \
+    X(mus_layout_write_svg_bytes, nothing, (w->have.layout, BYTES))                                                    \
     X(mus_sheet_create, nothing, (w->context, P, NULL, &w->made.sheet))                                                \
     X(mus_sheet_create_sizes, nothing,                                                                                 \
       (w->context, 2, (const mus_pattern *[2]){P, P}, (const char *[2]){"a", "b"}, NULL, &w->made.sheet))              \
@@ -247,6 +252,7 @@
     X(mus_move_at, nothing, (w->have.move, 0.1, &w->pose))                                                             \
     X(mus_sheet_extent, nothing, (w->have.sheet, w->real))                                                             \
     X(mus_sheet_page, nothing, (w->have.sheet, 1, w->real))                                                            \
+    X(mus_layout_piece_get, nothing, (w->have.layout, 0, &w->laid))                                                    \
     X(mus_sheet_piece_get, nothing, (w->have.sheet, 0, &w->piece))                                                     \
     X(mus_sheet_line_get, nothing, (w->have.sheet, 0, &w->stroke))                                                     \
     X(mus_tape_set_sex, nothing, (w->have.tape, MUS_SEX_MALE))                                                         \
@@ -432,6 +438,17 @@
     X(mus_move_name, nothing, (0))                                                                                     \
     X(mus_move_period, nothing, (w->have.move))                                                                        \
     X(mus_move_duration, nothing, (w->have.move))                                                                      \
+    X(mus_layout_def_init, nothing, (&(mus_layout_def){0}, sizeof(mus_layout_def)))                                    \
+    X(mus_layout_item_init, nothing, (&(mus_layout_item){0}, sizeof(mus_layout_item)))                                 \
+    X(mus_layout_piece_init, nothing, (&(mus_layout_piece){0}, sizeof(mus_layout_piece)))                              \
+    X(mus_layout_destroy, nothing, (NULL))                                                                             \
+    X(mus_layout_context, nothing, (w->have.layout))                                                                   \
+    X(mus_layout_width, nothing, (w->have.layout))                                                                     \
+    X(mus_layout_length, nothing, (w->have.layout))                                                                    \
+    X(mus_layout_folded, nothing, (w->have.layout))                                                                    \
+    X(mus_layout_utilisation, nothing, (w->have.layout))                                                               \
+    X(mus_layout_steps, nothing, (w->have.layout))                                                                     \
+    X(mus_layout_piece_count, nothing, (w->have.layout))                                                               \
     X(mus_sheet_def_init, nothing, (&(mus_sheet_def){0}, sizeof(mus_sheet_def)))                                       \
     X(mus_sheet_destroy, nothing, (NULL))                                                                              \
     X(mus_sheet_page_count, nothing, (w->have.sheet))                                                                  \

@@ -304,6 +304,8 @@ static uint64_t mix_objects(uint64_t hash, const objects *o)
     const int32_t counts[] = {
         o->sheet ? mus_sheet_line_count(o->sheet) : -1, o->catalogue ? mus_catalogue_count(o->catalogue) : -1,
         o->faults ? mus_faults_count(o->faults) : -1, o->cut_line ? mus_cut_line_loop_count(o->cut_line) : -1};
+    const double length = o->layout ? mus_layout_length(o->layout) : -1.0;
+    hash = mix(hash, &length, sizeof length);
     const double period = o->move ? mus_move_period(o->move) : -1.0;
     hash = mix(hash, &period, sizeof period);
     return mix(mix(hash, counts, sizeof counts), &state, sizeof state);

@@ -18,6 +18,7 @@
 #include "muslin/exchange.h"
 #include "muslin/fit.h"
 #include "muslin/integrate.h"
+#include "muslin/layout.h"
 #include "muslin/manifold.h"
 #include "muslin/pose.h"
 #include "muslin/print.h"
@@ -38,6 +39,7 @@ typedef struct objects {
     mus_drape *drape;
     mus_fit *fit;
     mus_sheet *sheet;
+    mus_layout *layout;
     mus_catalogue *catalogue;
     mus_move *move;
     mus_manifold *manifold;
@@ -88,6 +90,8 @@ typedef struct world {
     mus_mesh_file file;
     mus_integrate_def motion_law;
     mus_manifold_def manifold_def;
+    mus_layout_def layout_def;
+    mus_layout_item layout_item;
     mus_sheet_dxf rul;
     mus_scan_def scan_def;
     mus_reason reason;
@@ -98,6 +102,7 @@ typedef struct world {
     mus_fit_level level;
     mus_worn worn;
     mus_sheet_piece piece;
+    mus_layout_piece laid;
     mus_sheet_line stroke;
     mus_topology topology;
     mus_homology homology;
@@ -197,6 +202,11 @@ static void make_options(world *w)
     w->motion_law.step = 0.01, w->motion_law.rate = fall, w->motion_law.rate32 = fall_f32;
     mus_manifold_def_init(&w->manifold_def, sizeof w->manifold_def);
     w->manifold_def.spacing = 0.03, w->manifold_def.threads = 2;
+    static const double square_of[8] = {0.0, 0.0, 0.3, 0.0, 0.3, 0.3, 0.0, 0.3};
+    mus_layout_def_init(&w->layout_def, sizeof w->layout_def);
+    w->layout_def.steps = 100000, w->layout_def.runs = 2, w->layout_def.threads = 2;
+    mus_layout_item_init(&w->layout_item, sizeof w->layout_item);
+    w->layout_item.n = 4, w->layout_item.xy = square_of, w->layout_item.count = 3;
     mus_sheet_dxf_init(&w->rul, sizeof w->rul);
     mus_scan_def_init(&w->scan_def, sizeof w->scan_def);
     w->scan_def.up = MUS_SCAN_Y, w->scan_def.front = MUS_SCAN_Z, w->scan_def.unit = 1.0;
@@ -218,6 +228,7 @@ static void make_structs(world *w)
     mus_fit_level_init(&w->level, sizeof w->level);
     mus_worn_init(&w->worn, sizeof w->worn);
     mus_sheet_piece_init(&w->piece, sizeof w->piece);
+    mus_layout_piece_init(&w->laid, sizeof w->laid);
     mus_sheet_line_init(&w->stroke, sizeof w->stroke);
     mus_topology_init(&w->topology, sizeof w->topology);
     mus_homology_init(&w->homology, sizeof w->homology);
@@ -260,6 +271,7 @@ static void make_world(world *w)
     GOOD(mus_drape_place(w->have.drape));
     GOOD(mus_fit_create(w->have.drape, w->have.body, &w->have.fit));
     GOOD(mus_sheet_create(w->context, w->have.pattern, NULL, &w->have.sheet));
+    GOOD(mus_layout_create(w->context, w->have.pattern, &w->layout_def, &w->have.layout));
     GOOD(mus_catalogue_open(w->context, w->base, MUS_CATALOGUE_WRITE, &w->have.catalogue));
     GOOD(mus_catalogue_add(w->have.catalogue, w->have.pattern, "first", &w->row));
     GOOD(mus_move_named(w->context, "walk", 1.7, &w->have.move));
@@ -279,6 +291,7 @@ static void destroy(objects *o)
     mus_move_destroy(o->move);
     mus_catalogue_destroy(o->catalogue);
     mus_sheet_destroy(o->sheet);
+    mus_layout_destroy(o->layout);
     mus_fit_destroy(o->fit);
     mus_drape_destroy(o->drape);
     mus_cloth_destroy(o->cloth);

@@ -9,7 +9,7 @@
 set -u
 out=$(cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- print exchange catalogue design integrate drape cloth scan manifold pattern body pattern+body+integrate \
+[ $# -gt 0 ] || set -- print exchange catalogue layout design integrate drape cloth scan manifold pattern body pattern+body+integrate \
     print+exchange+design
 cd "$(dirname "$0")/../.."
 CC=${CC:-cc}
@@ -24,6 +24,7 @@ call_of()
     print) echo "mus_sheet_create -lmuslin-print" ;;
     exchange) echo "mus_tape_read -lmuslin-exchange" ;;
     catalogue) echo "mus_catalogue_open -lmuslin-catalogue" ;;
+    layout) echo "mus_layout_create" ;;
     design) echo "mus_design_draft" ;;
     integrate) echo "mus_integrate" ;;
     drape) echo "mus_drape_create" ;;

@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # filled by the library for the caller to read
 OUT = {"mus_seam_walk", "mus_drape_report", "mus_scan_report", "mus_topology", "mus_estimate", "mus_reason",
        "mus_fit_level", "mus_fit_spread", "mus_worn", "mus_dress_report", "mus_progress",
-       "mus_sheet_piece", "mus_sheet_line"}
+       "mus_sheet_piece", "mus_sheet_line", "mus_layout_piece"}
 
 
 def plain(text):

@@ -430,3 +430,33 @@ def test_a_manifold_is_closed_and_does_not_need_its_body(context):
     assert vertices - len(edges) // 2 + len(triangles) == 2
     assert manifold.pieces == 1 and manifold.cuts >= 0 and len(manifold.normals) == vertices
     assert manifold.volume == pytest.approx(volume, rel=0.05)
+
+
+def test_a_layout_tells_the_metres_and_ends_when_it_is_told(context, tmp_path):
+    pattern = muslin.draft("tshirt", muslin.Tape.size("W40", context=context))
+    layout = muslin.Layout(pattern, width=1.4, fold=1, nap=1, steps=10**7)
+    assert 0.5 < layout.length < 1.7 and layout.folded == layout.length and 0.4 < layout.utilisation < 1
+    assert {piece.name for piece in layout.pieces} >= {b"front", b"back"} and any(p.on_fold for p in layout.pieces)
+    for piece, outline in zip(layout.pieces, layout.outlines):
+        points = outline.tolist()
+        assert len(points) == piece.n and all(-1e-6 < y < 0.7 + 1e-6 for _, y in points)
+    layout.write_svg(tmp_path / "cloth.svg")
+    assert layout.svg_bytes() == (tmp_path / "cloth.svg").read_bytes() and "front" in layout._repr_svg_()
+    told = []
+    stopped = muslin.Layout(pattern, steps=10**10, progress=lambda done, length: told.append(done) or len(told) > 2)
+    assert stopped.steps < 10**9 and len(told) == 3
+    with pytest.raises(ZeroDivisionError):
+        muslin.Layout(pattern, progress=lambda done, length: 1 / 0)
+    with pytest.raises(ValueError, match="material"):
+        muslin.Layout(pattern, material="silk")
+    with pytest.raises(muslin.MuslinError, match="wider than the cloth"):
+        muslin.Layout(pattern, width=0.2)
+
+
+def test_outlines_are_laid_in_their_turns(context):
+    plank = {"xy": [(0, 0), (2, 0), (2, 0.3), (0, 0.3)], "count": 3, "turns": [math.pi / 2]}
+    layout = muslin.Layout.of_outlines([plank], context=context, width=2.5, gap=0.0, steps=10**7)
+    assert layout.length == pytest.approx(0.9, abs=0.01) and len(layout.pieces) == 3
+    assert [list(piece.turn) for piece in layout.pieces] == 3 * [[0, -1, 1, 0]]
+    with pytest.raises(TypeError, match="xy"):
+        muslin.Layout.of_outlines([{"count": 2}], context=context)

@@ -28,6 +28,7 @@ from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_mesh, write_obj
 from .fit import Fit
 from .integrate import integrate
+from .layout import Layout
 from .manifold import Manifold
 from .pattern import Pattern
 from .pose import FOOT_LEFT, FOOT_RIGHT, Move, Pose, joint_limits, moves, poses
@@ -38,7 +39,7 @@ from .tape import Tape, measures, sizes
 from .view import View
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LEFT", "FOOT_RIGHT", "Fabric", "Fit",
-           "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "View", "arrange", "axes",
+           "Layout", "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "View", "arrange", "axes",
            "designs", "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves",
            "pattern_reason", "png_bytes", "poses", "read_obj", "render", "scan", "sizes", "spell", "version",
            "write_glb", "write_glb_motion", "write_mesh", "write_obj", "__version__"]

@@ -312,6 +312,10 @@ class mus_faults(Structure):
     pass
 
 
+class mus_layout(Structure):
+    pass
+
+
 class mus_cloth(Structure):
     pass
 
@@ -393,6 +397,18 @@ class mus_cut_def(Structure):
 
 
 class mus_seam_walk(Structure):
+    pass
+
+
+class mus_layout_def(Structure):
+    pass
+
+
+class mus_layout_item(Structure):
+    pass
+
+
+class mus_layout_piece(Structure):
     pass
 
 
@@ -503,6 +519,7 @@ class mus_mesh_file(Structure):
 # callbacks
 mus_alloc_fn = CFUNCTYPE(c_void_p, c_void_p, c_void_p, c_size_t, c_size_t)
 mus_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+mus_layout_progress_fn = CFUNCTYPE(c_int32, c_void_p, c_double, c_double)
 mus_rate_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double), POINTER(c_double))
 mus_rate32_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_float), POINTER(c_float))
 mus_energy_fn = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_double))
@@ -549,6 +566,15 @@ mus_cut_def._fields_ = [("size", c_size_t), ("name", c_char_p), ("seam_name", c_
 mus_seam_walk._fields_ = [("size", c_size_t), ("length_a", c_double), ("length_b", c_double), ("excess", c_double),
                           ("notches_a", c_int32), ("notches_b", c_int32), ("notch_off", c_double),
                           ("corner_start", c_double), ("corner_end", c_double)]
+mus_layout_def._fields_ = [("size", c_size_t), ("width", c_double), ("gap", c_double), ("allowance", c_double),
+                           ("material", c_int32), ("fold", c_int32), ("nap", c_int32), ("tolerance", c_double),
+                           ("stripe", c_double), ("steps", c_int64), ("runs", c_int32), ("threads", c_int32),
+                           ("seed", c_uint64), ("progress", mus_layout_progress_fn), ("user", c_void_p)]
+mus_layout_item._fields_ = [("size", c_size_t), ("n", c_int32), ("xy", POINTER(c_double)), ("count", c_int32),
+                            ("turn_count", c_int32), ("turns", POINTER(c_double))]
+mus_layout_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("mirrored", c_int32),
+                             ("turned", c_int32), ("layers", c_int32), ("on_fold", c_int32), ("spare", c_int32),
+                             ("turn", c_double * 4), ("shift", c_double * 2), ("n", c_int32), ("xy", POINTER(c_double))]
 mus_draft_def._fields_ = [("size", c_size_t), ("ease", c_double), ("length", c_double), ("sleeve", c_double)]
 mus_fabric._fields_ = [("size", c_size_t), ("weight", c_double), ("stretch", c_double * 2), ("shear", c_double),
                        ("bend", c_double * 3), ("damping", c_double), ("friction", c_double), ("thickness", c_double),
@@ -902,6 +928,22 @@ FUNCTIONS = {
     "mus_pattern_walk_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, POINTER(mus_seam_walk)]),
     "mus_pattern_true_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
     "mus_pattern_notch_seam": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_double, c_int32]),
+    "mus_layout_def_init": ("core", None, [POINTER(mus_layout_def), c_size_t]),
+    "mus_layout_create": ("core", c_int32, [POINTER(mus_context), POINTER(mus_pattern), POINTER(mus_layout_def),
+                                            POINTER(POINTER(mus_layout))]),
+    "mus_layout_item_init": ("core", None, [POINTER(mus_layout_item), c_size_t]),
+    "mus_layout_create_items": ("core", c_int32, [POINTER(mus_context), c_int32, POINTER(mus_layout_item),
+                                                  POINTER(mus_layout_def), POINTER(POINTER(mus_layout))]),
+    "mus_layout_destroy": ("core", None, [POINTER(mus_layout)]),
+    "mus_layout_context": ("core", POINTER(mus_context), [POINTER(mus_layout)]),
+    "mus_layout_width": ("core", c_double, [POINTER(mus_layout)]),
+    "mus_layout_length": ("core", c_double, [POINTER(mus_layout)]),
+    "mus_layout_folded": ("core", c_double, [POINTER(mus_layout)]),
+    "mus_layout_utilisation": ("core", c_double, [POINTER(mus_layout)]),
+    "mus_layout_steps": ("core", c_int64, [POINTER(mus_layout)]),
+    "mus_layout_piece_init": ("core", None, [POINTER(mus_layout_piece), c_size_t]),
+    "mus_layout_piece_count": ("core", c_int32, [POINTER(mus_layout)]),
+    "mus_layout_piece_get": ("core", c_int32, [POINTER(mus_layout), c_int32, POINTER(mus_layout_piece)]),
     "mus_design_count": ("core", c_int32, []),
     "mus_design_name": ("core", c_char_p, [c_int32]),
     "mus_design_family": ("core", c_char_p, [c_int32]),
@@ -1063,6 +1105,8 @@ FUNCTIONS = {
     "mus_pattern_write_instructions": ("print", c_int32, [POINTER(mus_pattern), c_char_p, c_char_p]),
     "mus_pattern_write_instructions_bytes": ("print", c_int32, [POINTER(mus_pattern), c_char_p, POINTER(c_char_p),
                                                                 POINTER(c_size_t)]),
+    "mus_layout_write_svg": ("print", c_int32, [POINTER(mus_layout), c_char_p]),
+    "mus_layout_write_svg_bytes": ("print", c_int32, [POINTER(mus_layout), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_sheet_dxf_init": ("print", None, [POINTER(mus_sheet_dxf), c_size_t]),
     "mus_sheet_write_dxf": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), c_char_p]),
     "mus_sheet_write_dxf_bytes": ("print", c_int32, [POINTER(mus_sheet), POINTER(mus_sheet_dxf), POINTER(c_char_p),

@@ -63,7 +63,10 @@ LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such mod
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 # ---- sources; a library of its own, and everything else, names its outside packages ----
 OWN_LIBRARY = print exchange catalogue
-PKG_print = cairo
+# text of paper is set by Pango; PANGO=0 leaves it out, and paper is written in strokes alone
+PANGO ?= 1
+FLAGS_print = $(if $(filter 0,$(PANGO)),-DMUS_STROKES_ONLY)
+PKG_print = cairo$(if $(filter 0,$(PANGO)),, pangocairo)
 PKG_exchange = jansson yaml-0.1 expat
 PKG_catalogue = sqlite3
 PKG_examples = libpng
@@ -109,7 +112,7 @@ define needs_packages
 $$(call objects,$$(SRC_$(1))): CFLAGS_OUTSIDE := $(call pkg,--cflags,$(PKG_$(1))) $(2)
 $$(call objects,$$(SRC_$(1))): | need-$(1)
 endef
-$(foreach l,$(OWN_LIBRARY),$(eval $(call needs_packages,$(l))))
+$(foreach l,$(OWN_LIBRARY),$(eval $(call needs_packages,$(l),$(FLAGS_$(l)))))
 $(eval $(call needs_packages,examples,-Iexamples))
 $(eval $(call needs_packages,tests,-Itests -Iexamples -I$(OUT)))
 $(call objects,$(SRC_tests)): WARN := $(TEST_WARN)

@@ -6,6 +6,8 @@
 
 #include "commands.h"
 #include "json.h"
+#include "language.h"
+#include "muslin/language.h"
 #include "muslin/print.h"
 #include "print_dxf.h"
 #include "print_sizes.h"
@@ -83,7 +85,7 @@ int command_print(int argc, char **argv)
     source from = {0};
     const char *pdf = NULL, *svg = NULL, *paper = "a4";
     const char *asked = NULL;
-    const char *plt = NULL, *instructions = NULL;
+    const char *plt = NULL, *instructions = NULL, *tongue = NULL;
     bool cutter = false, fold = false;
     print_dxf dxf = {0};
     double allowance = -1.0;
@@ -104,12 +106,15 @@ int command_print(int argc, char **argv)
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
         {"--fold", OPTION_FLAG, &fold, 0, 0, "symmetric pieces as halves, to be cut on the fold of the cloth"},
         {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the pattern has none"},
+        LANGUAGE_OPTION(tongue),
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
     if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL && instructions == NULL)
         return complain(EXIT_INPUT, "print",
                         "no output is given: --pdf FILE, --svg FILE, --dxf FILE, --plt FILE or --instructions FILE");
+    const int32_t language = language_read("print", tongue);
+    if (language == MUS_NONE) return EXIT_INPUT;
     if (fold && (dxf.dxf != NULL || dxf.rul != NULL))
         return complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
     if (dxf.rul != NULL && dxf.sizes == NULL)
@@ -130,7 +135,10 @@ int command_print(int argc, char **argv)
     if (code == EXIT_DONE) code = scene_pattern(&s, &from);
     if (code == EXIT_DONE) {
         mus_sheet_def def;
+        char title[256];
         define(&s, &from, find_paper(paper), fold, allowance, &def);
+        def.language = mus_language_tag(language);
+        if (def.title != NULL) mus_language_compose(language, "title", def.title, title, sizeof title), def.title = title;
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && dxf.sizes != NULL && (pdf != NULL || svg != NULL))
             code = print_sizes_sheet(&s, &from, dxf.sizes, &def, &nest);
@@ -142,7 +150,7 @@ int command_print(int argc, char **argv)
         plot.by_piece = cutter;
         if (status == MUS_OK && code == EXIT_DONE && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
         if (status == MUS_OK && code == EXIT_DONE && instructions != NULL)
-            status = mus_pattern_write_instructions(s.pattern, def.title, instructions);
+            status = mus_pattern_write_instructions_in(s.pattern, def.language, def.title, instructions);
         if (status != MUS_OK) code = scene_fail_output(&s, status);
         if (code == EXIT_DONE) code = print_dxf_write(&s, &from, sheet, &def, &dxf);
     }

@@ -13,7 +13,7 @@
  */
 #include <string.h>
 
-#include "print/stroke_font.h"
+#include "print/lettering.h"
 
 #define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
 #define BASE 4        /* y of the base line on the grid */
@@ -77,9 +77,10 @@ uint32_t mus__text_character(const char **text)
 }
 
 
-static const char *stroke_glyph(uint32_t code)
+/* the letter of `glyphs` for a character, or 0 */
+static char stroke_letter(uint32_t code)
 {
-    char letter = '?';
+    char letter = '\0';
     if (code >= 0x20 && code < 0x7f) letter = (char)code;
     else if (code == 0xa0 || code == '\t') letter = ' ';
     else if (code >= 0xc0 && code <= 0xff) letter = latin_1[code - 0xc0];
@@ -87,7 +88,23 @@ static const char *stroke_glyph(uint32_t code)
     else if (code >= 0x2010 && code <= 0x2015) letter = '-';
     else if (code == 0x2018 || code == 0x2019) letter = '\'';
     else if (code == 0x201c || code == 0x201d) letter = '"';
-    return glyphs[letter - ' '];
+    return letter;
+}
+
+
+static const char *stroke_glyph(uint32_t code)
+{
+    const char letter = stroke_letter(code);
+    return glyphs[(letter != '\0' ? letter : '?') - ' '];
+}
+
+
+bool mus__text_has_strokes(const char *text)
+{
+    bool all = true;
+    for (uint32_t code; all && (code = mus__text_character(&text)) != 0;)
+        all = stroke_letter(code) != '\0' || code == 0xfffd || code < 0x20 || code == 0x7f;
+    return all;
 }
 
 
@@ -103,6 +120,24 @@ double mus__text_width(const char *text)
     for (uint32_t code; (code = mus__text_character(&text)) != 0;)
         width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
     return width > 0 ? (width - SPACING) / CAPITAL : 0.0;
+}
+
+
+size_t mus__text_line(const char *text, double height, double width)
+{
+    size_t fits = 0, end = 0;
+    int32_t wide = 0;
+    for (const char *at = text;;) {
+        const bool word = *at == ' ' || *at == '\0';
+        /* the last letter has no space behind it */
+        if (word && fits > 0 && height * ((wide - SPACING) / CAPITAL) > width) break;
+        if (word) fits = end;
+        const uint32_t code = mus__text_character(&at);
+        if (code == 0) break;
+        wide += stroke_digit(stroke_glyph(code)[0]) + SPACING;
+        end = (size_t)(at - text);
+    }
+    return fits;
 }
 
 
@@ -162,13 +197,36 @@ static void text_keep(mus__drawing *drawing, const char *text, double x, double 
     if (drawing->status != MUS_OK) return;
     memcpy(drawing->letters + drawing->nletter, text, n);
     drawing->texts[drawing->ntext++] =
-        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height};
+        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height, style->cosine, style->sine, MUS_NONE, false};
     drawing->nletter += (int32_t)n;
+}
+
+
+/* set a text in a font: the path becomes its outline */
+static void text_set(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
+{
+    const int32_t before = drawing->ntext;
+    const mus__pen pen = drawing->npath > 0 ? drawing->paths[drawing->npath - 1].pen : MUS__PEN_TEXT;
+    const bool bold = pen == MUS__PEN_TITLE;
+    const double back = style->align * style->height * mus__lettering_width(drawing->lettering, text, bold);
+    const double left[2] = {x - back * style->cosine, y - back * style->sine};
+    text_keep(drawing, text, left[0], left[1], style);
+    if (drawing->status != MUS_OK || drawing->ntext == before) return;
+    mus__path *path = &drawing->paths[drawing->npath - 1];
+    path->pen = pen == MUS__PEN_FAINT ? MUS__PEN_LETTER_FAINT : MUS__PEN_LETTER;
+    path->text = before;
+    drawing->texts[before].path = drawing->npath - 1;
+    drawing->texts[before].bold = bold;
+    mus__lettering_outline(drawing->lettering, drawing, text, left[0], left[1], style, bold);
 }
 
 
 void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
 {
+    if (mus__lettering_sets(drawing->lettering, text)) {
+        text_set(drawing, text, x, y, style);
+        return;
+    }
     double back = style->align * style->height * mus__text_width(text);
     text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
                     style->sine};

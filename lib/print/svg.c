@@ -139,7 +139,7 @@ static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
 static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
-    mus__draw_init(&drawing, sheet->context);
+    mus__sheet_draw_init(sheet, &drawing);
     if (sheet->cover) mus__squares_draw(&drawing, 0.0, -SVG_GAP - MUS__SQUARES);
     else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1]);
     mus__sink_print(bytes, "<g id=\"scale\">\n");

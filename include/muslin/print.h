@@ -46,8 +46,8 @@ typedef struct mus_sheet mus_sheet;
 
 /** Lay out a pattern on paper, and after its panels those that are cut and not draped (mus_pattern_cut_only()). The
  * pattern is read during the call and not kept; def NULL takes the defaults. Errors:
- * MUS_ERR_ARG (value out of range, margins leave too little of the paper, unknown language), MUS_ERR_PATTERN (a fault of the pattern),
- * MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_VERSION, MUS_ERR_MEMORY */
+ * MUS_ERR_ARG (value out of range, unknown language, margins leave too little of the paper), MUS_ERR_PATTERN (a
+ * fault of the pattern), MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_VERSION, MUS_ERR_MEMORY */
 MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def,
                                     mus_sheet **out);
 
@@ -145,8 +145,8 @@ MUS_API mus_status mus_sheet_line_get(const mus_sheet *sheet, int32_t line, mus_
 /* ---- files ---- */
 
 /** Write the sheet as PDF. A failure leaves no half file; path "-" writes to standard output. The bytes do not depend
- * on locale, clock or time zone; in English not on fonts either. Text of another language, and names with letters beyond
- * Latin, are set in fonts of the machine, which go into the file. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
+ * on locale, clock or time zone; in English not on fonts either. Text of another language, and names beyond Latin, are
+ * set in fonts of the machine, which go into the file. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
 
 /** Write the sheet as PDF into memory. *bytes belongs to the caller, who frees it with

@@ -3,8 +3,8 @@
  *
  * A title is translated part by part between its commas. A name of a panel or an edge is looked up as a whole; else
  * its last words are what it is, and the words before them what it is of ("front armhole facing": a facing of a front
- * armhole), which the row "KIND.of" puts together. A side and a number are taken out first and put back by the rows
- * "KIND.left", "KIND.right" and "KIND.number".
+ * armhole), which the row "KIND:of" puts together. A side and a number are taken out first and put back by the rows
+ * "KIND:left", "KIND:right" and "KIND:number".
  */
 #include <stdio.h>
 #include <string.h>
@@ -25,16 +25,16 @@ typedef struct compose_name {
 } compose_name;
 
 
-/* write at most `size` bytes with the zero byte; a letter is not cut */
-static void compose_put(char *out, size_t size, const char *text)
+/* write at most `size` bytes (1 or more) with the zero byte, whole letters; false when the text is longer */
+static bool compose_put(char *out, size_t size, const char *text)
 {
     size_t n = strlen(text);
-    if (size == 0) return;
-    if (n >= size) n = size - 1;
-    if (text[n] != '\0')
-        while (n > 0 && ((unsigned char)text[n] & 0xC0) == 0x80) n--;
+    const bool whole = n < size;
+    if (!whole) n = size - 1;
+    while (!whole && n > 0 && ((unsigned char)text[n] & 0xC0) == 0x80) n--;
     memmove(out, text, n);
     out[n] = '\0';
+    return whole;
 }
 
 
@@ -58,10 +58,11 @@ static void compose_fill(const char *row, const char *zero, const char *one, cha
 }
 
 
-static const char *compose_row(const compose_name *name, const char *words)
+/* the row "KIND.WORDS", or "KIND:WORDS" of a rule */
+static const char *compose_row(const compose_name *name, bool rule, const char *words)
 {
     char key[COMPOSE_TEXT + 16];
-    snprintf(key, sizeof key, "%s.%s", name->kind, words);
+    snprintf(key, sizeof key, "%s%c%s", name->kind, rule ? ':' : '.', words);
     return mus__language_own(name->language, key);
 }
 
@@ -100,12 +101,12 @@ static void compose_split(const char *words, compose_name *out)
 }
 
 
-/* write the words from `first` to `last`; false when the table lacks some */
+/* write the first `last` words; false when the table lacks some */
 static bool compose_words(const compose_name *name, int32_t last, char *out)
 {
     char part[COMPOSE_TEXT], rest[COMPOSE_TEXT];
     compose_join(name, 0, last, part);
-    const char *row = compose_row(name, part);
+    const char *row = compose_row(name, false, part);
     if (row != NULL) {
         compose_put(out, COMPOSE_TEXT, row);
         return true;
@@ -113,8 +114,8 @@ static bool compose_words(const compose_name *name, int32_t last, char *out)
     /* the longest row at the end, of what the words before it say */
     for (int32_t i = 1; i < last; i++) {
         compose_join(name, i, last, part);
-        row = compose_row(name, part);
-        const char *of = compose_row(name, "of");
+        row = compose_row(name, false, part);
+        const char *of = compose_row(name, true, "of");
         if (row == NULL || of == NULL || !compose_words(name, i, rest)) continue;
         compose_fill(of, row, rest, out);
         return true;
@@ -133,7 +134,7 @@ static bool compose_parts(compose_name *name, char *out)
     const char *const keys[3] = {name->number[0] != '\0' ? "number" : NULL, name->left ? "left" : NULL,
                                  name->right ? "right" : NULL};
     for (int32_t i = 0; i < 3; i++) {
-        const char *row = keys[i] != NULL ? compose_row(name, keys[i]) : NULL;
+        const char *row = keys[i] != NULL ? compose_row(name, true, keys[i]) : NULL;
         if (row != NULL) compose_fill(row, out, name->number, out);
     }
     return true;
@@ -147,20 +148,18 @@ static bool compose_title(int32_t language, const char *title, char *text, size_
     const char *comma = mus_language_text(language, "list.comma");
     size_t n = 0;
     bool all = true;
-    for (bool more = true; more && n < size; ) {
+    for (bool more = true; more;) {
         char part[COMPOSE_TEXT];
         const char *end = strstr(title, ", ");
         const size_t length = end != NULL ? (size_t)(end - title) : strlen(title);
         snprintf(part, sizeof part, "%.*s", (int)(length < sizeof part ? length : sizeof part - 1), title);
-        const char *row = compose_row(&name, part);
+        const char *row = compose_row(&name, false, part);
         all = all && row != NULL;
-        compose_put(text + n, size - n, row != NULL ? row : part);
+        more = compose_put(text + n, size - n, row != NULL ? row : part) && end != NULL;
         n += strlen(text + n);
-        more = end != NULL;
-        if (!more) break;
-        compose_put(text + n, size - n, comma);
+        more = more && compose_put(text + n, size - n, comma);
         n += strlen(text + n);
-        title += length + 2;
+        if (more) title += length + 2;
     }
     return all;
 }
@@ -178,7 +177,7 @@ int32_t mus_language_compose(int32_t language, const char *kind, const char *wor
     }
     if (strcmp(kind, "measure") == 0) {
         compose_name name = {.kind = kind, .language = language};
-        const char *row = compose_row(&name, words);
+        const char *row = compose_row(&name, false, words);
         compose_put(text, size, row != NULL ? row : words);
         return row != NULL;
     }

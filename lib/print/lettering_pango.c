@@ -173,7 +173,8 @@ static void show_joined(cairo_t *cairo, const char *text, const PangoGlyphItem *
     for (int i = 0; i < n; i++) {
         const PangoGlyphGeometry *place = &given->glyphs[i].geometry;
         const double scale = 1.0 / PANGO_SCALE;
-        glyphs[i] = (cairo_glyph_t){given->glyphs[i].glyph, x + scale * place->x_offset, xy[1] + scale * place->y_offset};
+        const double left = x + scale * place->x_offset, base = xy[1] + scale * place->y_offset;
+        glyphs[i] = (cairo_glyph_t){given->glyphs[i].glyph, left, base};
         x += scale * place->width;
         /* a cluster begins at a glyph that moves on and belongs to other bytes than the one before it */
         const bool begins = i == 0 || (place->width != 0 && given->log_clusters[i] != given->log_clusters[i - 1]);

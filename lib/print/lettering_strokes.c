@@ -1,20 +1,22 @@
 /*
  * lettering_strokes.c: letters for a build without Pango: all of them are strokes. Letters that the strokes do not have
- * become their base letters or question marks.
+ * become their base letters or question marks; a language that is written in such letters is refused.
  */
 #include "print/lettering.h"
 
 #ifdef MUS_STROKES_ONLY
+
+#include "muslin/language.h"
 
 
 
 
 mus_status mus__lettering_make(mus_context *context, int32_t language, mus__lettering **out)
 {
-    (void)context;
-    (void)language;
     *out = NULL;
-    return MUS_OK;
+    if (mus__text_has_strokes(mus_language_name(language))) return MUS_OK;
+    return mus__file_fail(context, MUS_ERR_ARG, "sheet: language \"%s\" needs fonts, and this library was built "
+                          "without Pango", mus_language_tag(language));
 }
 
 

@@ -313,7 +313,8 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
         mus__draw_close(out);
     }
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, mus_language_text(out->language, "paper.fold"), bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
+    mus__draw_text(out, mus_language_text(out->language, "paper.fold"),
+                   bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
                    &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
 }
 

@@ -120,28 +120,6 @@ static mus_status sheet_lettering(mus_sheet *sheet, const mus_pattern *pattern)
 }
 
 
-void mus__sheet_draw_init(const mus_sheet *sheet, mus__drawing *drawing)
-{
-    mus__draw_init(drawing, sheet->context);
-    drawing->language = sheet->language;
-    drawing->lettering = sheet->lettering;
-}
-
-
-void mus__sheet_piece_words(const mus_sheet *sheet, int32_t index, char *out, size_t size)
-{
-    char name[128];
-    snprintf(name, sizeof name, "%s", sheet->names[index]);
-    /* half of the copies of a mirrored piece are for the other side */
-    for (char *at = name; sheet->language != MUS_LANGUAGE_ENGLISH && sheet->pieces[index].mirrored && *at != '\0';) {
-        const size_t n = strncmp(at, "_left", 5) == 0 ? 5 : strncmp(at, "_right", 6) == 0 ? 6 : 0;
-        if (n > 0) memmove(at, at + n, strlen(at + n) + 1);
-        else at++;
-    }
-    mus_language_compose(sheet->language, "panel", name, out, size);
-}
-
-
 /* make the sizes of a piece: on the fold all or none, one on the other by the frame of the panel */
 static mus_status sheet_nest(mus_sheet *sheet, const mus_pattern *const *patterns, int32_t panel, mus__piece *nest)
 {

@@ -13,7 +13,7 @@
  */
 #include <string.h>
 
-#include "print/lettering.h"
+#include "print/stroke_font.h"
 
 #define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
 #define BASE 4        /* y of the base line on the grid */
@@ -184,53 +184,9 @@ static void text_glyph(mus__drawing *drawing, const char *glyph, const text_fram
 }
 
 
-/* keep a text for readers; its left end is at (x, y) */
-static void text_keep(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
+void mus__stroke_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
 {
-    const size_t n = strlen(text);
-    if (drawing->status != MUS_OK || n == 0 || n > INT32_MAX / 2) return;
-    drawing->status = mus__print_reserve(drawing->context, &drawing->texts, &drawing->text_room,
-                                         (int64_t)drawing->ntext + 1, sizeof *drawing->texts);
-    if (drawing->status == MUS_OK)
-        drawing->status = mus__print_reserve(drawing->context, &drawing->letters, &drawing->letter_room,
-                                             (int64_t)drawing->nletter + (int64_t)n, 1);
-    if (drawing->status != MUS_OK) return;
-    memcpy(drawing->letters + drawing->nletter, text, n);
-    drawing->texts[drawing->ntext++] =
-        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height, style->cosine, style->sine, MUS_NONE, false};
-    drawing->nletter += (int32_t)n;
-}
-
-
-/* set a text in a font: the path becomes its outline */
-static void text_set(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
-{
-    const int32_t before = drawing->ntext;
-    const mus__pen pen = drawing->npath > 0 ? drawing->paths[drawing->npath - 1].pen : MUS__PEN_TEXT;
-    const bool bold = pen == MUS__PEN_TITLE;
-    const double back = style->align * style->height * mus__lettering_width(drawing->lettering, text, bold);
-    const double left[2] = {x - back * style->cosine, y - back * style->sine};
-    text_keep(drawing, text, left[0], left[1], style);
-    if (drawing->status != MUS_OK || drawing->ntext == before) return;
-    mus__path *path = &drawing->paths[drawing->npath - 1];
-    path->pen = pen == MUS__PEN_FAINT ? MUS__PEN_LETTER_FAINT : MUS__PEN_LETTER;
-    path->text = before;
-    drawing->texts[before].path = drawing->npath - 1;
-    drawing->texts[before].bold = bold;
-    mus__lettering_outline(drawing->lettering, drawing, text, left[0], left[1], style, bold);
-}
-
-
-void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
-{
-    if (mus__lettering_sets(drawing->lettering, text)) {
-        text_set(drawing, text, x, y, style);
-        return;
-    }
-    double back = style->align * style->height * mus__text_width(text);
-    text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
-                    style->sine};
-    text_keep(drawing, text, f.x, f.y, style);
+    text_frame f = {x, y, style->height / CAPITAL, style->cosine, style->sine};
     for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);

@@ -157,8 +157,8 @@ static int32_t finish_groups(const mus__instructions *job, const finish_edge *ed
 }
 
 
-/* write the step of panels that are sewn to edges with the words: `key`, with the panels in `place`, and the length of a
- * rib in the next. Panels that are several are joined first */
+/* write the step of panels that are sewn to edges with the words: `key`, with the panels in `place`, and the length
+ * of a rib in the next. Panels that are several are joined first */
 static void tell_facings(mus__instructions *job, const char *words, mus__phrase *phrase, const char *key, int32_t place)
 {
     double rib = 0.0;

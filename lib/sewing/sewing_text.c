@@ -279,11 +279,12 @@ static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t c
 static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool pleats, bool several)
 {
     static const char *const keys[] = {"step.darts", "step.lay_on", NULL, "step.buttons"};
-    const bool sewn = step->rings <= 0 || step->joins > 0;
+    const bool closes = step->rings > 0 && step->joins <= 0;
     const mus__phrase phrase = mus__phrase_in(job->language);
     const char *key = keys[step->kind];
     if (step->kind == MUS__SEWING_DART && pleats) key = "step.darts_pleats";
-    if (key == NULL) key = sewn ? several ? "step.sew_in_one" : "step.sew" : several ? "step.close_in_one" : "step.close";
+    if (key == NULL && closes) key = several ? "step.close_in_one" : "step.close";
+    if (key == NULL) key = several ? "step.sew_in_one" : "step.sew";
     mus__tell_step(job, &phrase, key);
 }
 

@@ -12,9 +12,9 @@
 #include <string.h>
 
 #include "file/sink.h"
+#include "paperfile/pdf_layers.h"
 #include "print/lettering.h"
 #include "print/page.h"
-#include "print/pdf_layers.h"
 
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */

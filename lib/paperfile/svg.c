@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include "file/sink.h"
+#include "paperfile/pdf_layers.h"
 #include "print/page.h"
-#include "print/pdf_layers.h"
 
 #define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 

@@ -251,7 +251,7 @@ START_TEST(pieces_to_come_have_words)
         "tie", "tie_left", "lining", "front_lining", "back_left_lining", "sleeve_lining", "skirt_back_lining",
         "underlap", "overlap", "waistband", "collar_stand", "top_collar", "under_collar", "hood_lining",
         "front_interfacing", "leg_front_left_pocket_bag", "hem_facing", "zip_guard", "belt", "cuff_lining",
-        "back_neck_facing"};
+        "back_neck_facing", "under_collar_leaf", "under_collar_left", "tie_long", "welt_bag", "pocket_facing_right"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) check_name("panel", names[i], "none");
     for (int32_t l = 0; l < mus_language_count(); l++) {
         ck_assert_ptr_nonnull(mus_language_text(l, "layout.title"));

@@ -4,7 +4,7 @@
 #include "language/language.h"
 
 static const mus__language_row names_es[] = {
-    {"edge.arm", "sisa"}, {"edge.armhole", "sisa"}, {"edge.back", "borde trasero"}, {"edge.band", "borde de pretina"},
+    {"edge.arm", "sisa"}, {"edge.armhole", "sisa"}, {"edge.back", "borde trasero"}, {"edge.band", "pretina"},
     {"edge.bd", "pinza de pecho"}, {"edge.bottom", "borde inferior"}, {"edge.cap", "copa de manga"},
     {"edge.cap back", "copa de manga trasera"}, {"edge.cap back low", "parte baja de la copa trasera"},
     {"edge.cap front", "copa de manga delantera"}, {"edge.cap front low", "parte baja de la copa delantera"},

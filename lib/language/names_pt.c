@@ -4,7 +4,7 @@
 #include "language/language.h"
 
 static const mus__language_row names_pt[] = {
-    {"edge.arm", "cava"}, {"edge.armhole", "cava"}, {"edge.back", "borda traseira"}, {"edge.band", "borda do cós"},
+    {"edge.arm", "cava"}, {"edge.armhole", "cava"}, {"edge.back", "borda traseira"}, {"edge.band", "cós"},
     {"edge.bd", "pence de busto"}, {"edge.bottom", "borda inferior"}, {"edge.cap", "cabeça da manga"},
     {"edge.cap back", "cabeça da manga atrás"}, {"edge.cap back low", "parte baixa da cabeça da manga atrás"},
     {"edge.cap front", "cabeça da manga à frente"}, {"edge.cap front low", "parte baixa da cabeça da manga à frente"},

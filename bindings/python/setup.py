@@ -39,7 +39,8 @@ def build(root, out):
     """Paths of the shared libraries, built in the folder `out`; they find each other where they lie."""
     version = ".".join(constant(root, f"MUS_VERSION_{part}") for part in ("MAJOR", "MINOR", "PATCH"))
     files = [out / "lib" / f"{name}.so.{version}" for name in NAMES]
-    subprocess.run(["make", "-C", str(root), f"-j{os.cpu_count()}", "V=0", f"PANGO={os.environ.get('PANGO', '0')}", f"OUT={out}",
+    pango = os.environ.get("PANGO", "0")
+    subprocess.run(["make", "-C", str(root), f"-j{os.cpu_count()}", "V=0", f"PANGO={pango}", f"OUT={out}",
                     "LDFLAGS=-Wl,-rpath,'$$ORIGIN'", *map(str, files)], check=True)
     return {f"{name}.so.{constant(root, 'MUS_ABI')}": file for name, file in zip(NAMES, files)}
 

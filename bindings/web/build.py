@@ -28,7 +28,8 @@ CAIRO = {"lib/paperfile/pdf.c", "lib/print/lettering_pango.c", "lib/print/letter
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
 FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
          "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
-         "-fvisibility=hidden", "-DMUS_STROKES_ONLY", "-ffunction-sections", "-fdata-sections", "-include", str(HERE / "src/absent.h"),
+         "-DMUS_STROKES_ONLY", "-DMUS_ENGLISH_ONLY", "-fvisibility=hidden",
+         "-ffunction-sections", "-fdata-sections", "-include", str(HERE / "src/absent.h"),
          f"-I{HERE / 'src'}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'lib'}"]
 PACKAGES = {"three": "^0.180.0", "esbuild": "^0.25.0"}
 LARGEST = 700_000  # bytes of all files together, compressed
@@ -80,8 +81,8 @@ def natively():
         objects += [] if ours else [BUILD / "obj" / file.relative_to(ROOT).with_suffix(".o")]
     WORK.mkdir(parents=True, exist_ok=True)
     shared = ["-shared", "-fPIC", "-Wl,--no-undefined,--defsym,host_progress=0", "-lm", "-o", WORK / "room.so"]
-    subprocess.run([program("cc"), "-std=c11", "-w", *[flag for flag in FLAGS if flag.startswith(("-I", "-DMUS"))], *given,
-                    *objects, *shared], check=True)
+    ours = [flag for flag in FLAGS if flag.startswith(("-I", "-DMUS"))]
+    subprocess.run([program("cc"), "-std=c11", "-w", *ours, *given, *objects, *shared], check=True)
     print(f"build.py: {len(given) + len(objects)} files make the page's module, by {program('cc')}")
 
 

@@ -65,8 +65,9 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
         const mus__path *path = &drawing->paths[i];
         const mus__pen_style *style = &mus__pen_styles[path->pen];
         double w = 0.5 * style->width, dash[2] = {style->dash[0] * POINTS, style->dash[1] * POINTS};
-        /* text that is set in a font comes as text */
-        if (path->nop == 0 || path->text != MUS_NONE || mus__path_layered(page->sheet, path)) continue;
+        /* text that is set in a font comes as text, unless it is too long */
+        const bool shown = path->text != MUS_NONE && drawing->texts[path->text].n <= PDF_TEXT;
+        if (path->nop == 0 || shown || mus__path_layered(page->sheet, path)) continue;
         if (window != NULL && (path->box[0] - w > window[2] || path->box[2] + w < window[0] ||
                                path->box[1] - w > window[3] || path->box[3] + w < window[1]))
             continue;

@@ -128,7 +128,7 @@ int command_designs(int argc, char **argv)
     if (language == MUS_NONE) return EXIT_INPUT;
     if (show != NULL && (words.count > 0 || png != NULL))
         return complain(EXIT_INPUT, "designs", "--show NAME goes without words and --png");
-    if (show != NULL) return design_show(show, &from, as_json);
+    if (show != NULL) return design_show(show, &from, language, as_json);
 
     scene s;
     found list = {0};

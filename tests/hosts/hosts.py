@@ -25,7 +25,7 @@ OUT = BUILD / "hosts"
 SCENE = ("tshirt", "W40", "30")  # design, table size, spacing [mm]
 STRICT = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion", "-Werror"]
 BUILT_BY = ["gcc", "libc6-dev", "make", "pkg-config", "python3", "libcairo2-dev", "libpango1.0-dev",
-            "libjansson-dev", "libyaml-dev",            "libexpat1-dev", "libsqlite3-dev"]
+            "libjansson-dev", "libyaml-dev", "libexpat1-dev", "libsqlite3-dev"]
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"]
 
 

@@ -63,16 +63,16 @@ LEFT_OUT := $(foreach m,$(OMIT),$(or $(OMIT_$(m)),$(error OMIT=$(m): no such mod
 INTO := $(OUT)$(if $(OMIT),/omit-$(shell echo $(OMIT) | tr ' ' -))
 # ---- sources; a library of its own, and everything else, names its outside packages ----
 OWN_LIBRARY = print exchange catalogue
-PKG_print = cairo
+PKG_print = cairo $(if $(filter 0,$(PANGO)),,pangocairo) # PANGO=0: all text in strokes
 PKG_exchange = jansson yaml-0.1 expat
 PKG_catalogue = sqlite3
 PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
-SRC_muslin := $(call room,$(filter-out file cutter sewing meshfile trade seam valentina $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file cutter paperfile sewing meshfile trade seam valentina $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
-$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),meshfile trade seam valentina,cutter sewing))))) # and base's: objects_of
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),meshfile trade seam valentina,cutter paperfile sewing))))) # and base's: objects_of
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/% tests/study/elementary/%,$(wildcard tests/*/*.c tests/study/*/*.c))
@@ -110,7 +110,7 @@ define needs_packages
 $$(call objects,$$(SRC_$(1))): CFLAGS_OUTSIDE := $(call pkg,--cflags,$(PKG_$(1))) $(2)
 $$(call objects,$$(SRC_$(1))): | need-$(1)
 endef
-$(foreach l,$(OWN_LIBRARY),$(eval $(call needs_packages,$(l))))
+$(foreach l,$(OWN_LIBRARY),$(eval $(call needs_packages,$(l),$(if $(filter 0,$(PANGO)),-DMUS_STROKES_ONLY))))
 $(eval $(call needs_packages,examples,-Iexamples))
 $(eval $(call needs_packages,tests,-Itests -Iexamples -I$(OUT)))
 $(call objects,$(SRC_tests)): WARN := $(TEST_WARN)

@@ -54,8 +54,11 @@ Libs.private: $5
 END
 }
 
+# make PANGO=0 builds libmuslin-print without it
+pango=pango
+if [ "${PANGO:-1}" = 0 ]; then pango=; fi
 pc muslin "from the tape measure to the sewn and draped garment" "" "" "-lm -pthread"
-pc muslin-print "ready-to-cut paper of a muslin pattern" "muslin = $version" "cairo" "-lm"
+pc muslin-print "ready-to-cut paper of a muslin pattern" "muslin = $version" "cairo${pango:+ pangocairo}" "-lm"
 pc muslin-exchange "readers and writers of tapes, patterns and meshes" "muslin = $version" "jansson yaml-0.1 expat" "-lm"
 pc muslin-catalogue "patterns on disk, found by how they are sewn" "muslin = $version" "sqlite3" "-lm"
 
@@ -65,7 +68,7 @@ up=$(realpath -m --relative-to="$libdir/cmake/muslin" "$prefix")
 inside=$(realpath -m --relative-to="$prefix" "$libdir")
 cat >"$lib/cmake/muslin/muslinConfig.cmake" <<END
 # Targets: muslin::muslin, muslin::print, muslin::exchange, muslin::catalogue (shared) and muslin::muslin_static,
-# muslin::print_static, muslin::exchange_static, muslin::catalogue_static. The static print needs cairo to link, the
+# muslin::print_static, muslin::exchange_static, muslin::catalogue_static. The static print needs cairo and Pango to link, the
 # static exchange jansson, libyaml and expat, the static catalogue SQLite.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
@@ -91,7 +94,7 @@ function(muslin_target name library static_needs)
 endfunction()
 
 muslin_target(muslin muslin "m;Threads::Threads")
-muslin_target(print muslin-print "muslin::muslin_static;cairo;m")
+muslin_target(print muslin-print "muslin::muslin_static;${pango:+pangocairo-1.0;pango-1.0;gobject-2.0;}cairo;m")
 muslin_target(exchange muslin-exchange "muslin::muslin_static;jansson;yaml;expat;m")
 muslin_target(catalogue muslin-catalogue "muslin::muslin_static;sqlite3;m")
 END

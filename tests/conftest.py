@@ -1,4 +1,5 @@
 """What the Python tests share: where the programs, the data and the package are."""
+import os
 import subprocess
 import sys
 
@@ -6,6 +7,7 @@ import pytest
 
 from places import BIN, DATA, ROOT
 
+os.environ["LC_ALL"] = "C.UTF-8"  # the command speaks the language of the environment, the tests read English
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 
 

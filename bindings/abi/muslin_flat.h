@@ -34,6 +34,7 @@ enum {
     MUS_ERR_TANGLED = 18,
     MUS_ERR_STOPPED = 19,
     MUS_STATUS_COUNT = 20,
+    MUS_LANGUAGE_ENGLISH = 0,
     MUS_SEX_UNSET = 0,
     MUS_SEX_FEMALE = 1,
     MUS_SEX_MALE = 2,
@@ -781,6 +782,7 @@ struct mus_sheet_def {
     const char *title;
     const char *person;
     int32_t fold;
+    const char *language;
 };
 
 struct mus_sheet_piece {
@@ -894,6 +896,15 @@ uint64_t mus_context_allocations(const mus_context *context);
 mus_status mus_context_fail(mus_context *context, mus_status status, const char *text);
 void *mus_context_alloc(mus_context *context, void *ptr, size_t new_size);
 void mus_context_log(mus_context *context, int32_t level, const char *text);
+int32_t mus_language_count(void);
+const char *mus_language_tag(int32_t language);
+const char *mus_language_name(int32_t language);
+int32_t mus_language_is_right_to_left(int32_t language);
+int32_t mus_language_find(const char *tag);
+int32_t mus_language_row_count(void);
+const char *mus_language_row_key(int32_t row);
+const char *mus_language_text(int32_t language, const char *key);
+int32_t mus_language_compose(int32_t language, const char *kind, const char *words, char *text, size_t size);
 int32_t mus_measure_count(void);
 const char *mus_measure_name(int32_t measure);
 int32_t mus_measure_unit(int32_t measure);
@@ -1265,6 +1276,8 @@ mus_status mus_sheet_write_svg(const mus_sheet *sheet, const char *path);
 mus_status mus_sheet_write_svg_bytes(const mus_sheet *sheet, char **bytes, size_t *size);
 mus_status mus_pattern_write_instructions(const mus_pattern *pattern, const char *title, const char *path);
 mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes, size_t *size);
+mus_status mus_pattern_write_instructions_in(const mus_pattern *pattern, const char *language, const char *title, const char *path);
+mus_status mus_pattern_write_instructions_in_bytes(const mus_pattern *pattern, const char *language, const char *title, char **bytes, size_t *size);
 mus_status mus_layout_write_svg(const mus_layout *layout, const char *path);
 mus_status mus_layout_write_svg_bytes(const mus_layout *layout, char **bytes, size_t *size);
 void mus_sheet_dxf_init(mus_sheet_dxf *def, size_t size);

@@ -21,8 +21,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BASELINE = ROOT / "tests" / "abi" / "baseline.txt"
-ORDER = ["base", "tape", "body", "pose", "scan", "manifold", "pattern", "topology", "edit", "layout", "design", "cloth",
-         "integrate", "arrange", "drape", "dress", "fit", "print", "exchange", "catalogue"]
+ORDER = ["base", "language", "tape", "body", "pose", "scan", "manifold", "pattern", "topology", "edit", "layout", "design",
+         "cloth", "integrate", "arrange", "drape", "dress", "fit", "print", "exchange", "catalogue"]
 LIBRARY = {"print": "print", "exchange": "exchange", "catalogue": "catalogue"}  # all else is libmuslin
 SCALAR = {"mus_status": "c_int32", "int32_t": "c_int32", "int64_t": "c_int64", "uint64_t": "c_uint64",
           "uint8_t": "c_uint8",

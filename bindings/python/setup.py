@@ -3,6 +3,9 @@
 All else stands in pyproject.toml. The wheel serves every Python 3 of its platform. A source distribution carries the
 sources of the libraries in source/. Where neither they nor the repository are there, MUSLIN_LIB names the folder of
 built libraries; without it nothing is built, since a package without libraries would be of no use.
+
+Paper is written in strokes alone: Pango, GLib and what they need would be as large as the rest of a wheel. PANGO=1 in
+the environment builds with them.
 """
 import os
 import pathlib
@@ -36,7 +39,8 @@ def build(root, out):
     """Paths of the shared libraries, built in the folder `out`; they find each other where they lie."""
     version = ".".join(constant(root, f"MUS_VERSION_{part}") for part in ("MAJOR", "MINOR", "PATCH"))
     files = [out / "lib" / f"{name}.so.{version}" for name in NAMES]
-    subprocess.run(["make", "-C", str(root), f"-j{os.cpu_count()}", "V=0", f"OUT={out}",
+    pango = os.environ.get("PANGO", "0")
+    subprocess.run(["make", "-C", str(root), f"-j{os.cpu_count()}", "V=0", f"PANGO={pango}", f"OUT={out}",
                     "LDFLAGS=-Wl,-rpath,'$$ORIGIN'", *map(str, files)], check=True)
     return {f"{name}.so.{constant(root, 'MUS_ABI')}": file for name, file in zip(NAMES, files)}
 

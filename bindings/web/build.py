@@ -24,10 +24,12 @@ BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
 OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
 LEFT_OUT = {"catalogue", "scan", "exchange", "sewing", "meshfile", "trade", "seam", "valentina"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
+CAIRO = {"lib/paperfile/pdf.c", "lib/print/lettering_pango.c", "lib/print/lettering_strokes.c"}  # its calls, or Pango's
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
 FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
          "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
-         "-fvisibility=hidden", "-ffunction-sections", "-fdata-sections", "-include", str(HERE / "src/absent.h"),
+         "-DMUS_STROKES_ONLY", "-DMUS_ENGLISH_ONLY", "-fvisibility=hidden",
+         "-ffunction-sections", "-fdata-sections", "-include", str(HERE / "src/absent.h"),
          f"-I{HERE / 'src'}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'lib'}"]
 PACKAGES = {"three": "^0.180.0", "esbuild": "^0.25.0"}
 LARGEST = 700_000  # bytes of all files together, compressed
@@ -74,13 +76,13 @@ def natively():
     what the page leaves out, or a call of cairo that src/ does not have, is found in seconds and without clang."""
     objects, given = [], []
     for file in sources():
-        ours = file.parent == HERE / "src" or file == ROOT / "lib/print/pdf.c"
+        ours = file.parent == HERE / "src" or file.relative_to(ROOT).as_posix() in CAIRO
         given += [file] if ours else []
         objects += [] if ours else [BUILD / "obj" / file.relative_to(ROOT).with_suffix(".o")]
     WORK.mkdir(parents=True, exist_ok=True)
     shared = ["-shared", "-fPIC", "-Wl,--no-undefined,--defsym,host_progress=0", "-lm", "-o", WORK / "room.so"]
-    subprocess.run([program("cc"), "-std=c11", "-w", *[flag for flag in FLAGS if flag.startswith("-I")], *given,
-                    *objects, *shared], check=True)
+    ours = [flag for flag in FLAGS if flag.startswith(("-I", "-DMUS"))]
+    subprocess.run([program("cc"), "-std=c11", "-w", *ours, *given, *objects, *shared], check=True)
     print(f"build.py: {len(given) + len(objects)} files make the page's module, by {program('cc')}")
 
 

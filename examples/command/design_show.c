@@ -7,6 +7,7 @@
 
 #include "designs.h"
 #include "json.h"
+#include "muslin/language.h"
 #include "muslin/print.h"
 
 #define CLOTH_WIDE 1.40 /* [m] width of the cloth that metres are told for: the common width of dress cloth */
@@ -124,13 +125,14 @@ static void shown_piece(const mus_sheet_piece *piece, bool comma)
 }
 
 
-static void shown_print(const scene *s, const shown *sh)
+static void shown_print(const scene *s, const shown *sh, int32_t language)
 {
     const int32_t d = sh->design, groups = mus_design_groups(d);
-    char one[64];
-    printf("%s: %s\n  family  %s\n  fabric  %s\n  for    %s%s%s\n  words   %s\n  axes   ", mus_design_name(d),
-           mus_design_title(d), mus_design_family(d), mus_design_fabric(d),
-           groups & MUS_GROUP_WOMEN ? " women" : "", groups & MUS_GROUP_MEN ? " men" : "",
+    char one[64], title[256];
+    mus_language_compose(language, "title", mus_design_title(d), title, sizeof title);
+    printf("%s: %s\n  family  %s\n  fabric  %s\n  for    %s%s%s\n  words   %s\n  axes   ", mus_design_name(d), title,
+           mus_design_family(d), mus_design_fabric(d), groups & MUS_GROUP_WOMEN ? " women" : "",
+           groups & MUS_GROUP_MEN ? " men" : "",
            groups & MUS_GROUP_CHILDREN ? " children" : "", mus_design_words(d));
     for (int32_t a = 1; a < mus_design_axis_count(); a++)
         if (axis_option(s, sh->words, a, one)) printf(" %s=%s", mus_design_axis_name(a), one);
@@ -186,7 +188,7 @@ static void shown_json(const scene *s, const shown *sh, json *j)
 }
 
 
-int design_show(const char *name, const source *from, bool as_json)
+int design_show(const char *name, const source *from, int32_t language, bool as_json)
 {
     scene s;
     shown sh = {0};
@@ -203,7 +205,7 @@ int design_show(const char *name, const source *from, bool as_json)
         shown_json(&s, &sh, &j);
         if (!json_write(&j, "designs", "-")) code = EXIT_FAILED;
     } else if (code == EXIT_DONE) {
-        shown_print(&s, &sh);
+        shown_print(&s, &sh, language);
     }
     json_free(&j);
     scene_close(&s);

@@ -9,6 +9,8 @@
 #include "commands.h"
 #include "designs.h"
 #include "json.h"
+#include "language.h"
+#include "muslin/language.h"
 #include "scene.h"
 
 #define MOST_LISTED 20 /* matches of a search that are printed without --most */
@@ -61,13 +63,15 @@ static int designs_find(const scene *s, const texts *words, int32_t most, found 
 }
 
 
-static void designs_print(const found *list)
+static void designs_print(const found *list, int32_t language)
 {
     for (int32_t i = 0; i < list->count; i++) {
         const int32_t d = list->design[i], groups = mus_design_groups(d);
+        char title[256];
+        mus_language_compose(language, "title", mus_design_title(d), title, sizeof title);
         printf("%-28s %-12s %c%c%c  %s\n", mus_design_name(d), mus_design_family(d),
                groups & MUS_GROUP_WOMEN ? 'w' : '-', groups & MUS_GROUP_MEN ? 'm' : '-',
-               groups & MUS_GROUP_CHILDREN ? 'c' : '-', mus_design_title(d));
+               groups & MUS_GROUP_CHILDREN ? 'c' : '-', title);
     }
     if (list->count < list->total)
         printf("%d more of %d that match: --most %d lists them\n", (int)(list->total - list->count), (int)list->total,
@@ -108,7 +112,7 @@ int command_designs(int argc, char **argv)
 {
     bool as_json = false;
     texts words = {0};
-    const char *png = NULL, *show = NULL;
+    const char *png = NULL, *show = NULL, *asked = NULL;
     double most = 0.0;
     source from = {0};
     const option options[] = {
@@ -117,12 +121,15 @@ int command_designs(int argc, char **argv)
         {"--png", OPTION_OUTPUT, &png, 0, 0, "FILE  draw their pieces, the name under each"},
         {"--show", OPTION_TEXT, &show, 0, 0, "NAME  tell all of one: axes, cloth, ease, pieces, metres of cloth"},
         SOURCE_TAPE(from),
+        LANGUAGE_OPTION(asked),
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("designs", "List, search, show and draw the named designs.", options, argc, argv)) return EXIT_INPUT;
+    const int32_t language = language_read("designs", asked);
+    if (language == MUS_NONE) return EXIT_INPUT;
     if (show != NULL && (words.count > 0 || png != NULL))
         return complain(EXIT_INPUT, "designs", "--show NAME goes without words and --png");
-    if (show != NULL) return design_show(show, &from, as_json);
+    if (show != NULL) return design_show(show, &from, language, as_json);
 
     scene s;
     found list = {0};
@@ -133,7 +140,7 @@ int command_designs(int argc, char **argv)
     if (code == EXIT_DONE && png != NULL && list.count > MOST_DRAWN)
         code = complain(EXIT_INPUT, "designs", "a picture of %d designs, at most %d", (int)list.count, MOST_DRAWN);
     if (code == EXIT_DONE && png != NULL) code = designs_draw(list.design, list.count, &from, png);
-    if (code == EXIT_DONE && !as_json && !is_stdout(png)) designs_print(&list);
+    if (code == EXIT_DONE && !as_json && !is_stdout(png)) designs_print(&list, language);
     if (code == EXIT_DONE && as_json) {
         designs_json(&list, &j);
         if (!json_write(&j, "designs", "-")) code = EXIT_FAILED;

@@ -6,8 +6,8 @@
 #include "scene.h"
 
 /* Prints all of a named design: words, axes, cloth, and for a tape (none given: the size of design_size()) ease, pieces
- * and cloth. Returns an exit code. */
-int design_show(const char *name, const source *from, bool as_json);
+ * and cloth; the title in the language. Returns an exit code. */
+int design_show(const char *name, const source *from, int32_t language, bool as_json);
 
 /* Draws the pieces of designs, drafted for a tape, as tiles with their names and titles, and writes a PNG. A tape that
  * a design is not for, or none: the size of design_size(). Returns an exit code. */

@@ -6,10 +6,14 @@
 
 #include "commands.h"
 #include "json.h"
+#include "language.h"
+#include "muslin/language.h"
 #include "muslin/print.h"
 #include "print_dxf.h"
 #include "print_sizes.h"
 #include "scene.h"
+
+#define TITLE 256 /* bytes of a title */
 
 static const struct {
     const char *name;
@@ -67,27 +71,55 @@ static void take_first(source *from, const char *list, char *name, size_t size)
 }
 
 
-static void define(const scene *s, const source *from, int32_t paper, bool fold, double allowance, mus_sheet_def *def)
+/* Writes the options of the sheet, and the title of a named design in the language to `title` (TITLE). */
+static void define(const scene *s, const source *from, int32_t paper, bool fold, double allowance, int32_t language,
+                   char *title, mus_sheet_def *def)
 {
     mus_sheet_def_init(def, sizeof *def);
     def->paper = paper;
     def->person = s->tape != NULL ? mus_tape_name(s->tape) : NULL;
-    if (from->design != NULL) def->title = mus_design_title(mus_design_find(from->design));
+    def->language = mus_language_tag(language);
+    const char *english = from->design != NULL ? mus_design_title(mus_design_find(from->design)) : NULL;
+    if (english != NULL) mus_language_compose(language, "title", english, title, TITLE), def->title = title;
     def->fold = fold;
     if (allowance >= 0.0) def->allowance = 0.001 * allowance;
+}
+
+
+static mus_status write_drawn(const mus_sheet *sheet, const char *pdf, const char *svg)
+{
+    const mus_status status = pdf != NULL ? mus_sheet_write_pdf(sheet, pdf) : MUS_OK;
+    return status == MUS_OK && svg != NULL ? mus_sheet_write_svg(sheet, svg) : status;
+}
+
+
+/* Writes DXF and RUL, which are in English: from the sheet, or from one of its own. */
+static int write_dxf(scene *s, const source *from, const mus_sheet *sheet, const mus_sheet_def *def,
+                     const print_dxf *dxf)
+{
+    const bool asked = dxf->dxf != NULL || dxf->rul != NULL;
+    if (!asked || mus_language_find(def->language) == MUS_LANGUAGE_ENGLISH)
+        return print_dxf_write(s, from, sheet, def, dxf);
+    mus_sheet *own;
+    mus_sheet_def english = *def;
+    english.language = NULL;
+    if (from->design != NULL) english.title = mus_design_title(mus_design_find(from->design));
+    const mus_status status = mus_sheet_create(s->context, s->pattern, &english, &own);
+    if (status != MUS_OK) return scene_fail(s, status);
+    const int code = print_dxf_write(s, from, own, &english, dxf);
+    mus_sheet_destroy(own);
+    return code;
 }
 
 
 int command_print(int argc, char **argv)
 {
     source from = {0};
-    const char *pdf = NULL, *svg = NULL, *paper = "a4";
-    const char *asked = NULL;
-    const char *plt = NULL, *instructions = NULL;
-    bool cutter = false, fold = false;
-    print_dxf dxf = {0};
+    const char *pdf = NULL, *svg = NULL, *plt = NULL, *instructions = NULL;
+    const char *asked = NULL, *paper = "a4", *tongue = NULL;
+    bool cutter = false, fold = false, as_json = false;
     double allowance = -1.0;
-    bool as_json = false;
+    print_dxf dxf = {0};
     const option options[] = {
         SOURCE_PATTERN(from),
         SOURCE_TAPE(from),
@@ -104,20 +136,23 @@ int command_print(int argc, char **argv)
         {"--paper", OPTION_TEXT, &asked, 0, 0, "NAME  a4 (default), letter, a3, a0, roll"},
         {"--fold", OPTION_FLAG, &fold, 0, 0, "symmetric pieces as halves, to be cut on the fold of the cloth"},
         {"--allowance", OPTION_NUMBER, &allowance, 0, 100, "MM  seam allowance where the pattern has none"},
+        LANGUAGE_OPTION(tongue),
         {"--json", OPTION_STDOUT, &as_json, 0, 0, "print pages and their places on the sheet as JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("print", "Write a pattern at true scale, ready to cut.", options, argc, argv)) return EXIT_INPUT;
     if (pdf == NULL && svg == NULL && dxf.dxf == NULL && dxf.rul == NULL && plt == NULL && instructions == NULL)
         return complain(EXIT_INPUT, "print",
                         "no output is given: --pdf FILE, --svg FILE, --dxf FILE, --plt FILE or --instructions FILE");
+    const int32_t language = language_read("print", tongue);
+    if (language == MUS_NONE) return EXIT_INPUT;
     if (fold && (dxf.dxf != NULL || dxf.rul != NULL))
         return complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
     if (dxf.rul != NULL && dxf.sizes == NULL)
         return complain(EXIT_INPUT, "print", "--rul: needs --sizes LIST, the sizes that the rules are for");
     if (print_dxf_dialect(dxf.dialect) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--dialect %s: expected astm or aama", dxf.dialect);
-    if (asked != NULL) paper = asked;
     char first[32];
+    if (asked != NULL) paper = asked;
     if (dxf.sizes != NULL) take_first(&from, dxf.sizes, first, sizeof first);
     if (find_paper(paper) == MUS_NONE)
         return complain(EXIT_INPUT, "print", "--paper %s: expected a4, letter, a3, a0 or roll", paper);
@@ -130,21 +165,20 @@ int command_print(int argc, char **argv)
     if (code == EXIT_DONE) code = scene_pattern(&s, &from);
     if (code == EXIT_DONE) {
         mus_sheet_def def;
-        define(&s, &from, find_paper(paper), fold, allowance, &def);
+        char title[TITLE];
+        define(&s, &from, find_paper(paper), fold, allowance, language, title, &def);
         mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && dxf.sizes != NULL && (pdf != NULL || svg != NULL))
             code = print_sizes_sheet(&s, &from, dxf.sizes, &def, &nest);
-        const mus_sheet *drawn = nest != NULL ? nest : sheet;
-        if (status == MUS_OK && code == EXIT_DONE && pdf != NULL) status = mus_sheet_write_pdf(drawn, pdf);
-        if (status == MUS_OK && code == EXIT_DONE && svg != NULL) status = mus_sheet_write_svg(drawn, svg);
+        if (status == MUS_OK && code == EXIT_DONE) status = write_drawn(nest != NULL ? nest : sheet, pdf, svg);
         mus_sheet_plt plot;
         mus_sheet_plt_init(&plot, sizeof plot);
         plot.by_piece = cutter;
         if (status == MUS_OK && code == EXIT_DONE && plt != NULL) status = mus_sheet_write_plt(sheet, &plot, plt);
         if (status == MUS_OK && code == EXIT_DONE && instructions != NULL)
-            status = mus_pattern_write_instructions(s.pattern, def.title, instructions);
+            status = mus_pattern_write_instructions_in(s.pattern, def.language, def.title, instructions);
         if (status != MUS_OK) code = scene_fail_output(&s, status);
-        if (code == EXIT_DONE) code = print_dxf_write(&s, &from, sheet, &def, &dxf);
+        if (code == EXIT_DONE) code = write_dxf(&s, &from, sheet, &def, &dxf);
     }
     if (code == EXIT_DONE && as_json) {
         describe(nest != NULL ? nest : sheet, &j);

@@ -6,6 +6,7 @@
 #define MUSLIN_MUSLIN_H
 
 #include "muslin/base.h"
+#include "muslin/language.h"
 #include "muslin/tape.h"
 #include "muslin/body.h"
 #include "muslin/pose.h"

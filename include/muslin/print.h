@@ -3,12 +3,13 @@
  *
  * A sheet holds the pieces of a pattern at true scale, with cut line, sew line, allowance, notches, grain line, labels
  * and test squares. It is written as PDF (tiles or one long page), as SVG with named groups, DXF with its RUL, or HPGL.
- * Outside dependency: cairo.
+ * Outside dependencies: cairo, Pango.
  */
 #ifndef MUSLIN_PRINT_H
 #define MUSLIN_PRINT_H
 
 #include "muslin/base.h"
+#include "muslin/language.h"
 #include "muslin/layout.h"
 #include "muslin/pattern.h"
 
@@ -34,6 +35,8 @@ typedef struct mus_sheet_def {
     int32_t fold;      /* nonzero: a symmetric panel is printed as its half, with the line that is laid on the fold of
                         * the cloth; pieces may be turned by half a turn and halves mirrored to save paper; default 0.
                         * Such a sheet is not written as DXF */
+    const char *language; /* of what is written on it: a tag such as "de" or "pt_BR" (muslin/language.h); NULL: English;
+                           * read during the call. The title is not translated */
 } mus_sheet_def;
 
 /** Zero `def`, write the defaults and its size. */
@@ -44,8 +47,8 @@ typedef struct mus_sheet mus_sheet;
 
 /** Lay out a pattern on paper, and after its panels those that are cut and not draped (mus_pattern_cut_only()). The
  * pattern is read during the call and not kept; def NULL takes the defaults. Errors:
- * MUS_ERR_ARG (value out of range, margins leave too little of the paper), MUS_ERR_PATTERN (a fault of the pattern),
- * MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_VERSION, MUS_ERR_MEMORY */
+ * MUS_ERR_ARG (value out of range, unknown language, margins leave too little of the paper), MUS_ERR_PATTERN (a
+ * fault of the pattern), MUS_ERR_LIMIT (more than 10000 pages), MUS_ERR_VERSION, MUS_ERR_MEMORY */
 MUS_API mus_status mus_sheet_create(mus_context *context, const mus_pattern *pattern, const mus_sheet_def *def,
                                     mus_sheet **out);
 
@@ -143,7 +146,8 @@ MUS_API mus_status mus_sheet_line_get(const mus_sheet *sheet, int32_t line, mus_
 /* ---- files ---- */
 
 /** Write the sheet as PDF. A failure leaves no half file; path "-" writes to standard output. The bytes do not depend
- * on locale, clock or time zone. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
+ * on locale, clock or time zone; in English not on fonts either. Text of another language, and names beyond Latin, are
+ * set in fonts of the machine, which go into the file. Errors: MUS_ERR_ARG, MUS_ERR_FILE, MUS_ERR_MEMORY */
 MUS_API mus_status mus_sheet_write_pdf(const mus_sheet *sheet, const char *path);
 
 /** Write the sheet as PDF into memory. *bytes belongs to the caller, who frees it with
@@ -178,6 +182,17 @@ MUS_API mus_status mus_pattern_write_instructions(const mus_pattern *pattern, co
  * mus_pattern_write_instructions() */
 MUS_API mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes,
                                                         size_t *size);
+
+/** Write the instructions in a language: a tag such as "de" or "pt_BR" (muslin/language.h), NULL for English. The order
+ * of steps, lines and lists is that of English. The title is not translated. Errors: as
+ * mus_pattern_write_instructions(), and MUS_ERR_ARG for an unknown language */
+MUS_API mus_status mus_pattern_write_instructions_in(const mus_pattern *pattern, const char *language,
+                                                     const char *title, const char *path);
+
+/** Write the instructions in a language into memory. *bytes: as mus_sheet_write_pdf_bytes(); errors: as
+ * mus_pattern_write_instructions_in() */
+MUS_API mus_status mus_pattern_write_instructions_in_bytes(const mus_pattern *pattern, const char *language,
+                                                           const char *title, char **bytes, size_t *size);
 
 /* ---- a layout on cloth (muslin/layout.h) ---- */
 

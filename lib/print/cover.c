@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "print/lettering.h"
 #include "print/page.h"
+#include "print/phrase.h"
 
 /* [m] least width right of the squares, for text and page map; chosen: the shortest lines of text fit */
 #define COVER_COLUMN 0.048
@@ -19,23 +21,34 @@
 #define LEGEND_NAME 0.024    /* [m] corner of a page that holds its name */
 #define LEGEND_LINES 16      /* most lines of the instructions */
 
-#define COVER_STEPS 4
-
 /* how to print and join the pages */
-static const char *const cover_steps[COVER_STEPS] = {
-    "Print at 100 %, never \"fit to page\", and measure both squares before cutting.",
-    "Cut off the left and upper margins along the frame.",
-    "Lay each page on its neighbours, frame on frame, so that the diamonds are whole, and tape it.",
-    "Solid line: cut. Dashed line: sew. Double arrow: grain. Short strokes on the cut line: notches."};
+static const char *const cover_steps[] = {"paper.step.1", "paper.step.2", "paper.step.3", "paper.step.4"};
+
+#define COVER_STEPS ((int32_t)(sizeof cover_steps / sizeof cover_steps[0]))
+
+
+static const char *cover_step(const mus_sheet *sheet, int32_t step)
+{
+    return mus_language_text(sheet->language, cover_steps[step]);
+}
 
 
 /* the line below the title: wearer, pages and scale */
 static void cover_facts(const mus_sheet *sheet, char *out, size_t size)
 {
-    const int32_t pages = sheet->ntile;
-    snprintf(out, size, "%s%.100s%s%d page%s%s, %d x %d, scale 1:1", sheet->person != NULL ? "For " : "",
-             sheet->person != NULL ? sheet->person : "", sheet->person != NULL ? ".  " : "", pages,
-             pages == 1 ? "" : "s", sheet->cover ? " after this one" : "", sheet->columns, sheet->rows);
+    char facts[256], person[128];
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    mus__phrase_number(&phrase, 1, sheet->columns);
+    mus__phrase_number(&phrase, 2, sheet->rows);
+    mus__phrase_count(&phrase, sheet->cover ? "facts.cover" : "facts", sheet->ntile, facts, sizeof facts);
+    if (sheet->person == NULL) {
+        snprintf(out, size, "%s", facts);
+        return;
+    }
+    snprintf(person, sizeof person, "%.100s", sheet->person);
+    mus__phrase_text(&phrase, 0, person);
+    mus__phrase_text(&phrase, 1, facts);
+    mus__phrase_write(&phrase, "facts.person", out, size);
 }
 
 
@@ -100,24 +113,37 @@ static void cover_map(const mus_sheet *sheet, mus__drawing *out, double x, doubl
 }
 
 
+/* what the list says of a piece: its name and how it is cut */
+static void cover_piece(const mus_sheet *sheet, int32_t index, char *out, size_t size)
+{
+    char name[128], cut[192];
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    mus__sheet_piece_words(sheet, index, name, sheet->language == MUS_LANGUAGE_ENGLISH ? 41 : sizeof name);
+    mus__piece_cut_text(&sheet->pieces[index], sheet->language, cut, sizeof cut);
+    if (cut[0] >= 'A' && cut[0] <= 'Z') cut[0] = (char)(cut[0] - 'A' + 'a'); /* after a colon */
+    mus__phrase_text(&phrase, 0, name);
+    mus__phrase_text(&phrase, 1, cut);
+    mus__phrase_write(&phrase, "list.colon", out, size);
+}
+
+
 /* one line of text for each piece, down to the height `low` */
-static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, double y, double low)
+static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double left, double right, double y, double low)
 {
     const int32_t n = sheet->npiece / sheet->nsize;
+    const bool from_right = mus_language_is_right_to_left(sheet->language) != 0;
     for (int32_t i = 0; i < n && y > low; i++, y -= 0.0055) {
-        const mus__piece *piece = &sheet->pieces[i * sheet->nsize];
         char text[256];
         bool last = y - 0.0055 <= low && i + 1 < n;
         snprintf(text, sizeof text, "%d", i + 1);
-        if (!last) mus__page_text(out, MUS__PEN_TEXT, text, x + 0.005, y, 0.0025, 1.0);
-        if (last) snprintf(text, sizeof text, "and %d more", (int)(n - i));
-        else {
-            char cut[64];
-            mus__piece_cut_text(piece, cut, sizeof cut);
-            snprintf(text, sizeof text, "%.40s: c%s", sheet->names[i * sheet->nsize], cut + 1);
-        }
-        for (char *c = text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
-        mus__page_text(out, MUS__PEN_TEXT, text, x + 0.0075, y, 0.0025, 0.0);
+        if (!last)
+            mus__page_text(out, MUS__PEN_TEXT, text, from_right ? right - 0.005 : left + 0.005, y, 0.0025,
+                           from_right ? 0.0 : 1.0);
+        mus__phrase phrase = mus__phrase_in(sheet->language);
+        mus__phrase_number(&phrase, 0, n - i);
+        if (last) mus__phrase_write(&phrase, "paper.more", text, sizeof text);
+        else cover_piece(sheet, i * sheet->nsize, text, sizeof text);
+        mus__page_line(out, MUS__PEN_TEXT, text, left + 0.0075, right - 0.0075, y, 0.0025);
         if (last) return;
     }
 }
@@ -127,13 +153,14 @@ static void cover_pieces(const mus_sheet *sheet, mus__drawing *out, double x, do
 static double cover_title(const mus_sheet *sheet, mus__drawing *out, double left, double right, double y)
 {
     char text[256];
-    double letter = 0.008, small = 0.003, width = mus__text_width(sheet->title);
+    double letter = 0.008, small = 0.003;
+    double width = mus__lettering_width(sheet->lettering, sheet->title, true);
     if (letter * width > right - left) letter = (right - left) / width;
-    mus__page_text(out, MUS__PEN_TITLE, sheet->title, left, y -= letter + 0.001, letter, 0.0);
+    mus__page_line(out, MUS__PEN_TITLE, sheet->title, left, right, y -= letter + 0.001, letter);
     cover_facts(sheet, text, sizeof text);
-    width = mus__text_width(text);
+    width = mus__lettering_width(sheet->lettering, text, false);
     if (small * width > right - left) small = (right - left) / width;
-    mus__page_text(out, MUS__PEN_TEXT, text, left, y -= 0.007, small, 0.0);
+    mus__page_line(out, MUS__PEN_TEXT, text, left, right, y -= 0.007, small);
     return y;
 }
 
@@ -150,35 +177,29 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
     mus__squares_draw(out, left, low);
     cover_map(sheet, out, column, low, right - column, MUS__SQUARES);
     for (int32_t i = 0; i < COVER_STEPS; i++) {
-        const double width = mus__text_width(cover_steps[i]);
+        const double width = mus__lettering_width(sheet->lettering, cover_step(sheet, i), false);
         if (letter * width > right - left) letter = (right - left) / width;
     }
     y = low - 0.008;
     for (int32_t i = 0; i < COVER_STEPS; i++, y -= 0.005)
-        mus__page_text(out, MUS__PEN_TEXT, cover_steps[i], left, y, letter, 0.0);
-    cover_pieces(sheet, out, left, y - 0.004, margin + 0.004);
+        mus__page_line(out, MUS__PEN_TEXT, cover_step(sheet, i), left, right, y, letter);
+    cover_pieces(sheet, out, left, right, y - 0.004, margin + 0.004);
 }
 
 
 /* ---- on free places of the pages ---- */
 
+#define LEGEND_TEXT 512 /* [bytes] of a line; chosen: letters of three bytes on the widest line, twice over */
+
 /* instructions broken into lines of `width` [m]: returns their number, 0 when they are too many */
-static int32_t legend_lines(double width, char (*lines)[128])
+static int32_t legend_lines(const mus_sheet *sheet, double width, char (*lines)[LEGEND_TEXT])
 {
     int32_t n = 0;
     for (int32_t i = 0; i < COVER_STEPS; i++) {
-        const char *at = cover_steps[i];
-        while (*at != '\0') {
-            size_t fits = 0, end = 0;
-            if (n == LEGEND_LINES) return 0;
-            for (;;) {
-                end += strcspn(at + end + (at[end] == ' '), " ") + (at[end] == ' ');
-                memcpy(lines[n], at, end);
-                lines[n][end] = '\0';
-                if (fits > 0 && LEGEND_LETTER * mus__text_width(lines[n]) > width) break;
-                fits = end;
-                if (at[end] == '\0') break;
-            }
+        for (const char *at = cover_step(sheet, i); *at != '\0';) {
+            const size_t fits = mus__lettering_line(sheet->lettering, at, LEGEND_LETTER, width);
+            if (n == LEGEND_LINES || fits == 0 || fits >= LEGEND_TEXT) return 0;
+            memcpy(lines[n], at, fits);
             lines[n++][fits] = '\0';
             at += fits + (at[fits] == ' ');
         }
@@ -252,7 +273,7 @@ void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const d
                        const void *user, const double *corner)
 {
     static const double widths[] = {0.165, 0.13, 0.1, 0.075};
-    char lines[LEGEND_LINES][128];
+    char lines[LEGEND_LINES][LEGEND_TEXT];
     double box[4];
     legend_taken all = {.taken = taken, .user = user};
     sheet->cover = true;
@@ -265,7 +286,7 @@ void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const d
     }
     all.box = box;
     for (int32_t i = 0; i < (int32_t)(sizeof widths / sizeof widths[0]) && sheet->cover; i++) {
-        const int32_t n = legend_lines(widths[i], lines);
+        const int32_t n = legend_lines(sheet, widths[i], lines);
         if (n == 0) continue;
         sheet->cover = !legend_find(sheet, widths[i], LEGEND_HEAD + LEGEND_PITCH * n, &all, sheet->legend);
     }
@@ -275,10 +296,10 @@ void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const d
 
 void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out)
 {
-    char lines[LEGEND_LINES][128];
+    char lines[LEGEND_LINES][LEGEND_TEXT];
     const double *box = sheet->legend;
     double y = cover_title(sheet, out, box[0], box[2], box[3]) - 0.002;
-    const int32_t n = legend_lines(box[2] - box[0], lines);
+    const int32_t n = legend_lines(sheet, box[2] - box[0], lines);
     for (int32_t i = 0; i < n; i++)
-        mus__page_text(out, MUS__PEN_TEXT, lines[i], box[0], y -= LEGEND_PITCH, LEGEND_LETTER, 0.0);
+        mus__page_line(out, MUS__PEN_TEXT, lines[i], box[0], box[2], y -= LEGEND_PITCH, LEGEND_LETTER);
 }

@@ -22,6 +22,7 @@ const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
     [MUS__PEN_FRAME] = {0.00015, {0, 0}, 0.5},      [MUS__PEN_JOIN] = {0.00015, {0.001, 0.001}, 0.5},
     [MUS__PEN_FAINT] = {0.0002, {0, 0}, 0.45},      [MUS__PEN_INK] = {0, {0, 0}, 0},
     [MUS__PEN_GREY] = {0, {0, 0}, 0.82},            [MUS__PEN_SMALL] = {0.0002, {0, 0}, 0},
+    [MUS__PEN_LETTER] = {0, {0, 0}, 0},             [MUS__PEN_LETTER_FAINT] = {0, {0, 0}, 0.45},
 };
 
 
@@ -106,7 +107,7 @@ void mus__draw_path(mus__drawing *drawing, int32_t piece, mus__layer layer, mus_
                                          (int64_t)drawing->npath + 1, sizeof *drawing->paths);
     if (drawing->status != MUS_OK) return;
     drawing->paths[drawing->npath++] =
-        (mus__path){piece, layer, pen, MUS_NONE, MUS_NONE, drawing->nop, 0, drawing->nxy, {0, 0, 0, 0}};
+        (mus__path){piece, layer, pen, MUS_NONE, MUS_NONE, drawing->nop, 0, drawing->nxy, MUS_NONE, {0, 0, 0, 0}};
 }
 
 

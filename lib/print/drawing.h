@@ -45,6 +45,7 @@ typedef enum mus__pen {
     MUS__PEN_FAINT,  /* letters beside the pattern */
     MUS__PEN_INK,    /* filled black */
     MUS__PEN_GREY,   /* filled grey */
+    MUS__PEN_LETTER, MUS__PEN_LETTER_FAINT, /* letters of a font, and those beside the pattern: filled */
     MUS__PEN_COUNT
 } mus__pen;
 
@@ -73,17 +74,19 @@ typedef struct mus__path {
     mus__pen pen;
     int32_t edge;  /* edge of the pattern that the path draws or notches, or MUS_NONE */
     int32_t mark;  /* mark of the pattern that the path draws, or MUS_NONE; the path of its name has none */
-    int32_t op;    /* first in ops */
-    int32_t nop;
+    int32_t op, nop; /* first in ops, and how many */
     int32_t at;    /* first in xy */
+    int32_t text;  /* text whose outline in a font the path is, or MUS_NONE */
     double box[4]; /* low x, low y, high x, high y of its points [m] */
 } mus__path;
 
-/* a text that is drawn as strokes, for whoever reads the file as text */
+/* a text, for whoever reads the file as text */
 typedef struct mus__text {
-    int32_t at, n;       /* its UTF-8 in letters, without a zero byte */
-    double x, y;         /* left end of the base line [m] */
-    double height;       /* of a capital [m] */
+    int32_t at, n;               /* its UTF-8 in letters, without a zero byte */
+    double x, y, height;         /* left end of the base line; height of a capital [m] */
+    double cosine, sine;         /* direction of the base line */
+    int32_t path;                /* its outline, of a text that is set in a font; MUS_NONE: strokes */
+    bool bold;
 } mus__text;
 
 typedef struct mus__drawing {
@@ -97,6 +100,8 @@ typedef struct mus__drawing {
     int32_t ntext, text_room, nletter, letter_room;
     mus__text *texts; /* (ntext) */
     char *letters;    /* (nletter) */
+    int32_t language;
+    const struct mus__lettering *lettering; /* fonts for what is not drawn in strokes, or NULL */
 } mus__drawing;
 
 void mus__draw_init(mus__drawing *drawing, mus_context *context);

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "print/page.h"
+#include "print/phrase.h"
 
 #define DIAMOND 0.004 /* [m] half the width of a diamond; chosen: large enough to lay halves on each other by eye */
 
@@ -27,6 +28,14 @@ void mus__page_text(mus__drawing *out, mus__pen pen, const char *text, double x,
 }
 
 
+void mus__page_line(mus__drawing *out, mus__pen pen, const char *text, double left, double right, double y,
+                    double height)
+{
+    const bool from_right = mus_language_is_right_to_left(out->language) != 0;
+    mus__page_text(out, pen, text, from_right ? right : left, y, height, from_right ? 1.0 : 0.0);
+}
+
+
 /* ---- test squares ---- */
 
 void mus__squares_draw(mus__drawing *out, double x, double y)
@@ -36,9 +45,10 @@ void mus__squares_draw(mus__drawing *out, double x, double y)
     mus__draw_rectangle(out, x, y, MUS__SQUARES, MUS__SQUARES);
     mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
     mus__draw_rectangle(out, x + gap, y + gap, 0.1, 0.1);
-    mus__page_text(out, MUS__PEN_TEXT, "inner square: 100 mm", middle, y + 0.056, 0.005, 0.5);
-    mus__page_text(out, MUS__PEN_TEXT, "outer square: 4 inch", middle, y + 0.046, 0.005, 0.5);
-    mus__page_text(out, MUS__PEN_TEXT, "measure: print at 100 %, scale 1:1", middle, y + 0.038, 0.003, 0.5);
+    mus__page_text(out, MUS__PEN_TEXT, mus_language_text(out->language, "paper.inner"), middle, y + 0.056, 0.005, 0.5);
+    mus__page_text(out, MUS__PEN_TEXT, mus_language_text(out->language, "paper.outer"), middle, y + 0.046, 0.005, 0.5);
+    mus__page_text(out, MUS__PEN_TEXT, mus_language_text(out->language, "paper.measure"), middle, y + 0.038, 0.003,
+                   0.5);
 }
 
 
@@ -129,7 +139,8 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out)
 {
     double margin = sheet->def.margin;
     const double box[4] = {margin, margin, sheet->page[0] - margin, sheet->page[1] - margin};
-    char text[256], name[16];
+    char text[256], name[16], title[96];
+    mus__phrase phrase = mus__phrase_in(sheet->language);
     mus__draw_path(out, MUS_NONE, MUS__LAYER_MARKS, MUS__PEN_FRAME);
     mus__draw_rectangle(out, box[0], box[1], box[2] - box[0], box[3] - box[1]);
     if (!sheet->tiled) return;
@@ -138,7 +149,10 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out)
     page_joins(sheet, &sheet->tiles[tile], out, box);
     mus__tile_name(&sheet->tiles[tile], name, sizeof name);
     mus__page_text(out, MUS__PEN_FAINT, name, box[0] + 0.006, box[3] - 0.015, 0.009, 0.0);
-    snprintf(text, sizeof text, "%.80s  page %d of %d  scale 1:1", sheet->title, tile + 1 + sheet->cover,
-             sheet->ntile + sheet->cover);
+    snprintf(title, sizeof title, "%.80s", sheet->title);
+    mus__phrase_text(&phrase, 0, title);
+    mus__phrase_number(&phrase, 1, tile + 1 + sheet->cover);
+    mus__phrase_number(&phrase, 2, sheet->ntile + sheet->cover);
+    mus__phrase_write(&phrase, "paper.tile", text, sizeof text);
     mus__page_text(out, MUS__PEN_FAINT, text, box[0] + 0.006, box[3] - 0.020, 0.0022, 0.0);
 }

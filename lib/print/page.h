@@ -17,6 +17,9 @@ double mus__roll_length(double length);
 
 /* write a text: left end (align 0), middle (0.5) or right end (1) of its base line at (x, y), capitals `height` high */
 void mus__page_text(mus__drawing *out, mus__pen pen, const char *text, double x, double y, double height, double align);
+/* write a text on a line from `left` to `right`, at the end that the language of the drawing begins at */
+void mus__page_line(mus__drawing *out, mus__pen pen, const char *text, double left, double right, double y,
+                    double height);
 
 /* ---- pages without their pieces (page.c, cover.c), in coordinates of the page ---- */
 

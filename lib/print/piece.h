@@ -57,7 +57,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
 /* number of copies to cut of the main cloth; of a piece without any, of the first material that it is cut of */
 int32_t mus__piece_copies(const mus__piece *piece);
 /* write how a piece is cut: "Cut 2 mirrored", "Cut 1 on fold", "Cut 2 + 1 interfacing", "Cut 1 rib" */
-void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size);
+void mus__piece_cut_text(const mus__piece *piece, int32_t language, char *out, size_t size);
 void mus__piece_free(mus_context *context, mus__piece *piece);
 void mus__piece_box(mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
@@ -90,6 +90,7 @@ typedef struct mus__caption {
 } mus__caption;
 
 /* compute the caption of a mark; false when the mark is not on the piece */
-bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t mark, mus__caption *out);
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
+                       mus__caption *out);
 
 #endif

@@ -10,10 +10,13 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "print/lettering.h"
+#include "print/phrase.h"
 #include "print/sheet.h"
 
 #define LABEL_LINES 8    /* most lines of a label: as many as label_lines adds */
 #define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
+#define LABEL_PITCH 1.75 /* height of a line over that of its capitals; chosen: letters with tails keep clear */
 #define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */
 #define LABEL_PAD 0.004  /* [m] distance kept free round the label; chosen: its letters do not touch lines */
 /* [m] added to the distance from the middle of a lying label; chosen: larger values prefer upright labels more */
@@ -56,54 +59,67 @@ static label_line *label_add(label_block *block, double height, bool bold)
 
 
 /* write the line about allowances: each width once, in the order of the outline */
-static void label_allowance(const mus__piece *piece, char *out, size_t size)
+static void label_allowance(const mus_sheet *sheet, const mus__piece *piece, char *out, size_t size)
 {
     double seen[6];
+    char widths[128] = "";
     int32_t n = 0;
-    size_t at = (size_t)snprintf(out, size, "Seam allowance included: ");
+    size_t at = 0;
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    const char *comma = mus_language_text(sheet->language, "list.comma");
     for (int32_t i = 0; i < piece->nside && n < 6; i++) {
         int32_t k = 0;
         while (k < n && fabs(seen[k] - piece->sides[i].width) > 5e-5) k++;
         if (k < n) continue;
         seen[n++] = piece->sides[i].width;
-        at += (size_t)snprintf(out + at, size - at, n > 1 ? ", " : "");
-        at += (size_t)mus__print_millimetres(out + at, size - at, piece->sides[i].width);
+        at += (size_t)snprintf(widths + at, sizeof widths - at, "%s", n > 1 ? comma : "");
+        at += (size_t)mus__print_millimetres(widths + at, sizeof widths - at, piece->sides[i].width);
     }
-    snprintf(out + at, size - at, " mm");
-    if (n == 1 && seen[0] == 0.0) snprintf(out, size, "No seam allowance included");
+    mus__phrase_text(&phrase, 0, widths);
+    mus__phrase_write(&phrase, n == 1 && seen[0] == 0.0 ? "paper.no_allowance" : "paper.allowance", out, size);
 }
 
 
 static void label_sizes(const mus_sheet *sheet, char *out, size_t size)
 {
-    size_t at = (size_t)snprintf(out, size, "Sizes ");
-    for (int32_t k = 0; k < sheet->nsize && at < size; k++)
-        at += (size_t)snprintf(out + at, size - at, "%s%s", k > 0 ? ", " : "", sheet->sizes[k]);
+    char names[LABEL_BYTES] = "";
+    size_t at = 0;
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    for (int32_t k = 0; k < sheet->nsize && at < sizeof names; k++)
+        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s",
+                               k > 0 ? mus_language_text(sheet->language, "list.comma") : "", sheet->sizes[k]);
+    mus__phrase_text(&phrase, 0, names);
+    mus__phrase_write(&phrase, "paper.sizes", out, size);
 }
 
 
 static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block)
 {
     const mus__piece *piece = &sheet->pieces[index];
+    mus__phrase phrase = mus__phrase_in(sheet->language);
     memset(block, 0, sizeof *block);
 
     snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "%.120s", sheet->title);
-    label_line *name = label_add(block, 0.008, true);
-    snprintf(name->text, LABEL_BYTES, "%s", sheet->names[index]);
-    for (char *c = name->text; *c != '\0'; c++) *c = *c == '_' ? ' ' : *c;
-    snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "Piece %d of %d", index / sheet->nsize + 1,
-             sheet->npiece / sheet->nsize);
-    mus__piece_cut_text(piece, label_add(block, 0.0055, true)->text, LABEL_BYTES);
+    mus__sheet_piece_words(sheet, index, label_add(block, 0.008, true)->text, LABEL_BYTES);
+    mus__phrase_number(&phrase, 0, index / sheet->nsize + 1);
+    mus__phrase_number(&phrase, 1, sheet->npiece / sheet->nsize);
+    mus__phrase_write(&phrase, "paper.piece", label_add(block, 0.0045, false)->text, LABEL_BYTES);
+    mus__piece_cut_text(piece, sheet->language, label_add(block, 0.0055, true)->text, LABEL_BYTES);
     if (sheet->nsize > 1) label_sizes(sheet, label_add(block, 0.0045, false)->text, LABEL_BYTES);
-    if (sheet->person != NULL)
-        snprintf(label_add(block, 0.0045, false)->text, LABEL_BYTES, "For %.120s", sheet->person);
-    label_allowance(piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
-    snprintf(label_add(block, 0.0035, false)->text, LABEL_BYTES, "Scale 1:1");
+    if (sheet->person != NULL) {
+        char person[128];
+        snprintf(person, sizeof person, "%.120s", sheet->person);
+        mus__phrase_text(&phrase, 0, person);
+        mus__phrase_write(&phrase, "paper.person", label_add(block, 0.0045, false)->text, LABEL_BYTES);
+    }
+    label_allowance(sheet, piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
+    mus__phrase_write(&phrase, "paper.scale", label_add(block, 0.0035, false)->text, LABEL_BYTES);
 
     for (int32_t i = 0; i < block->n; i++) {
-        double width = block->lines[i].height * mus__text_width(block->lines[i].text);
+        const label_line *line = &block->lines[i];
+        double width = line->height * mus__lettering_width(sheet->lettering, line->text, line->bold);
         block->width = width > block->width ? width : block->width;
-        block->height += block->lines[i].height * (i > 0 ? 1.75 : 1.0);
+        block->height += line->height * (i > 0 ? LABEL_PITCH : 1.0);
     }
 }
 
@@ -143,9 +159,9 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
             status = walls_add(sheet->context, walls, a, b);
         }
         mus__caption caption;
-        if (status != MUS_OK || !mus__mark_caption(pattern, piece, i, &caption)) continue;
+        if (status != MUS_OK || !mus__mark_caption(pattern, piece, sheet->language, i, &caption)) continue;
         const mus__text_style *style = &caption.style;
-        double half = 0.5 * style->height * mus__text_width(caption.text);
+        double half = 0.5 * style->height * mus__lettering_width(sheet->lettering, caption.text, false);
         const double from[2] = {caption.x - half * style->cosine, caption.y - half * style->sine};
         const double to[2] = {caption.x + half * style->cosine, caption.y + half * style->sine};
         status = walls_add(sheet->context, walls, from, to);
@@ -240,7 +256,7 @@ mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t
         double down = 0.5 * block.height * place.scale;
         for (int32_t i = 0; i < block.n; i++) {
             const label_line *line = &block.lines[i];
-            down -= line->height * place.scale * (i > 0 ? 1.75 : 1.0);
+            down -= line->height * place.scale * (i > 0 ? LABEL_PITCH : 1.0);
             mus__text_style style = {line->height * place.scale, place.lying ? 0.0 : 1.0, place.lying ? 1.0 : 0.0, 0.5};
             mus__pen pen = style.height < 0.0025 ? MUS__PEN_SMALL : line->bold ? MUS__PEN_TITLE : MUS__PEN_TEXT;
             mus__draw_path(&sheet->drawing, index, MUS__LAYER_LABEL, pen);

@@ -6,8 +6,11 @@
  * for a triple one. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "muslin/language.h"
+#include "print/lettering.h"
 #include "print/piece.h"
 
 #define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */
@@ -233,13 +236,18 @@ static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t inde
 
 
 /* the text runs along the mark from its first to its last point, readable from below or from the right */
-bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t mark, mus__caption *out)
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
+                       mus__caption *out)
 {
     int32_t panel, n;
+    char key[64];
     const double *xy;
     double a[2], b[2];
     if (mus_pattern_mark(pattern, mark, &panel, &out->text, &n, &xy) != MUS_OK || panel != piece->panel || n < 1)
         return false;
+    snprintf(key, sizeof key, "mark.%s", out->text);
+    if (language != MUS_LANGUAGE_ENGLISH && mus_language_text(language, key) != NULL)
+        out->text = mus_language_text(language, key);
     mus__piece_point(piece, xy, a);
     mus__piece_point(piece, xy + 2 * (n - 1), b);
     double dx = b[0] - a[0], dy = b[1] - a[1], d = sqrt(dx * dx + dy * dy);
@@ -305,7 +313,8 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
         mus__draw_close(out);
     }
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, "place on fold", bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
+    mus__draw_text(out, mus_language_text(out->language, "paper.fold"),
+                   bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
                    &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
 }
 
@@ -336,7 +345,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             marks_segment(out, piece, first, p, &open);
         }
         mus__caption caption;
-        if (piece->follower || !mus__mark_caption(pattern, piece, i, &caption)) continue;
+        if (piece->follower || !mus__mark_caption(pattern, piece, out->language, i, &caption)) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
         mus__draw_text(out, caption.text, caption.x, caption.y, &caption.style);
     }
@@ -357,11 +366,12 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
     mus__draw_move(out, point[0], point[1]);
     mus__draw_line(out, end[0], end[1]);
-    if (piece->follower || d < CAPTION * mus__text_width("fold here") + 4.0 * DRILL) return;
+    const char *words = mus_language_text(out->language, "paper.dart");
+    if (piece->follower || d < CAPTION * mus__lettering_width(out->lettering, words, false) + 4.0 * DRILL) return;
     const double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
     const mus__text_style style = {CAPTION, sign * dx / d, sign * dy / d, 0.5};
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, "fold here", middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine,
+    mus__draw_text(out, words, middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine,
                    &style);
 }
 

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "print/phrase.h"
 #include "print/piece.h"
 
 /* [m] largest distance of a chord from its cubic; chosen: far below the width of a line */
@@ -385,15 +386,23 @@ int32_t mus__piece_copies(const mus__piece *piece)
 }
 
 
-void mus__piece_cut_text(const mus__piece *piece, char *out, size_t size)
+void mus__piece_cut_text(const mus__piece *piece, int32_t language, char *out, size_t size)
 {
+    char counts[192] = "", material[48];
     size_t at = 0;
-    for (int32_t i = 0; i < MUS_MATERIAL_COUNT && at < size; i++)
-        if (piece->copies[i] > 0)
-            at += (size_t)snprintf(out + at, size - at, "%s%d%s%s", at == 0 ? "Cut " : " + ", (int)piece->copies[i],
-                                   i > 0 ? " " : "", i > 0 ? mus_material_name(i) : "");
-    if (at == 0) at = (size_t)snprintf(out, size, "Cut 0");
-    if (at < size) snprintf(out + at, size - at, "%s", piece->fold ? " on fold" : piece->mirrored ? " mirrored" : "");
+    mus__phrase phrase = mus__phrase_in(language);
+    for (int32_t i = 0; i < MUS_MATERIAL_COUNT && at + 8 < sizeof counts; i++) {
+        if (piece->copies[i] == 0) continue;
+        if (at > 0) at += (size_t)snprintf(counts + at, sizeof counts - at, " + ");
+        snprintf(material, sizeof material, "material.%s", mus_material_name(i));
+        mus__phrase_number(&phrase, 0, piece->copies[i]);
+        mus__phrase_text(&phrase, 1, mus_language_text(language, material));
+        mus__phrase_write(&phrase, i > 0 ? "count.other" : "count.main", counts + at, sizeof counts - at);
+        at += strlen(counts + at);
+    }
+    mus__phrase_number(&phrase, 0, 0);
+    if (at > 0) mus__phrase_text(&phrase, 0, counts);
+    mus__phrase_write(&phrase, piece->fold ? "cut.fold" : piece->mirrored ? "cut.mirrored" : "cut.plain", out, size);
 }
 
 

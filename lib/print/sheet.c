@@ -9,7 +9,9 @@
 #include <string.h>
 
 #include "muslin/topology.h"
+#include "print/lettering.h"
 #include "print/page.h"
+#include "print/phrase.h"
 
 #define ALLOWANCE_MOST 0.1 /* [m] largest default allowance; chosen: a larger one is an error of units */
 #define BORDER_MOST 0.1    /* [m] largest margin and overlap; chosen: half the width of A4 */
@@ -97,6 +99,24 @@ static mus_status sheet_names(mus_sheet *sheet, const mus_pattern *pattern)
         snprintf(sheet->marks[i], sizeof *sheet->marks, "%s", name);
     }
     return MUS_OK;
+}
+
+
+/* the fonts of the sheet: for all texts of a language other than English, else for names that the strokes cannot
+ * write */
+static mus_status sheet_lettering(mus_sheet *sheet, const mus_pattern *pattern)
+{
+    bool strokes = sheet->language == MUS_LANGUAGE_ENGLISH && mus__text_has_strokes(sheet->title) &&
+                   (sheet->person == NULL || mus__text_has_strokes(sheet->person));
+    for (int32_t i = 0; i < sheet->npiece && strokes; i++) strokes = mus__text_has_strokes(sheet->names[i]);
+    for (int32_t i = 0; i < sheet->nsize && strokes; i++) strokes = mus__text_has_strokes(sheet->sizes[i]);
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && strokes; i++)
+        strokes = mus__text_has_strokes(sheet->marks[i]);
+    const mus_status status = strokes ? MUS_OK
+                                      : mus__lettering_make(sheet->context, sheet->language, &sheet->lettering);
+    sheet->drawing.language = sheet->language;
+    sheet->drawing.lettering = sheet->lettering;
+    return status;
 }
 
 
@@ -248,7 +268,7 @@ static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *const *patter
 {
     if (!sheet->tiled) return MUS_OK;
     mus__drawing lines;
-    mus__draw_init(&lines, sheet->context);
+    mus__sheet_draw_init(sheet, &lines);
     mus_status status = sheet_marks(sheet, patterns, &lines);
     if (status == MUS_OK) sheet_prune(sheet, &lines);
     mus__draw_free(&lines);
@@ -333,6 +353,7 @@ static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *const *patter
     mus_status status = mus__paper_check(sheet);
     for (int32_t k = 0; k < sheet->nsize && status == MUS_OK; k++) status = sheet_faults(context, patterns[k]);
     if (status == MUS_OK) status = sheet_pieces(sheet, patterns);
+    if (status == MUS_OK) status = sheet_lettering(sheet, patterns[0]);
     if (status == MUS_OK) status = mus__sheet_layout(sheet);
     if (status == MUS_OK) status = sheet_pages(sheet, patterns);
     if (status == MUS_OK) status = sheet_draw(sheet, patterns);
@@ -351,13 +372,17 @@ static mus_status sheet_create(mus_context *context, int32_t count, const mus_pa
                                   "mus_sheet_def_init", def->size, sizeof own);
         own = *def;
     }
+    int32_t language;
     mus_status status = sheet_def_check(context, &own);
+    if (status == MUS_OK) status = mus__language_read(context, own.language, "sheet", &language);
     if (status != MUS_OK) return status;
 
     mus_sheet *sheet = mus__print_new(context, 1, sizeof *sheet);
     if (sheet == NULL) return mus__print_memory(context, "a sheet");
     sheet->context = context;
     sheet->def = own;
+    sheet->def.language = NULL; /* the caller's text; its number is kept */
+    sheet->language = language;
     sheet->nsize = count;
     mus__draw_init(&sheet->drawing, context);
     status = sheet_build(sheet, patterns, names);
@@ -421,6 +446,7 @@ void mus_sheet_destroy(mus_sheet *sheet)
     mus_context *context = sheet->context;
     for (int32_t i = 0; i < sheet->npiece; i++) mus__piece_free(context, &sheet->pieces[i]);
     mus__draw_free(&sheet->drawing);
+    mus__lettering_free(sheet->lettering);
     mus__print_free(context, sheet->pieces);
     mus__print_free(context, sheet->names);
     mus__print_free(context, sheet->labels);

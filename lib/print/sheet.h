@@ -22,6 +22,8 @@ typedef struct mus__tile {
 struct mus_sheet {
     mus_context *context;
     mus_sheet_def def; /* options; its texts point to the copies below */
+    int32_t language;
+    struct mus__lettering *lettering; /* fonts for what is not drawn in strokes, or NULL */
     char *title;
     char *person;
     int32_t nsize;      /* sizes of the pattern that lie on each other */
@@ -47,6 +49,10 @@ struct mus_sheet {
 mus_status mus__sheet_layout(mus_sheet *sheet);
 /* window of a tile: low x, low y, high x, high y of the part of the sheet that it prints, without margins [m] */
 void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box);
+/* write the name of a piece in words; of a mirrored one without its side, except in English */
+void mus__sheet_piece_words(const mus_sheet *sheet, int32_t index, char *out, size_t size);
+/* begin a drawing of the sheet: with its language and letters */
+void mus__sheet_draw_init(const mus_sheet *sheet, mus__drawing *drawing);
 int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
 /* true when a part of the segment (mus__piece_meets: of the inside or the cut line of the piece) lies in the box; at
  * (2), unless NULL, gets a point where it does */

@@ -77,9 +77,10 @@ uint32_t mus__text_character(const char **text)
 }
 
 
-static const char *stroke_glyph(uint32_t code)
+/* the letter of `glyphs` for a character, or 0 */
+static char stroke_letter(uint32_t code)
 {
-    char letter = '?';
+    char letter = '\0';
     if (code >= 0x20 && code < 0x7f) letter = (char)code;
     else if (code == 0xa0 || code == '\t') letter = ' ';
     else if (code >= 0xc0 && code <= 0xff) letter = latin_1[code - 0xc0];
@@ -87,7 +88,23 @@ static const char *stroke_glyph(uint32_t code)
     else if (code >= 0x2010 && code <= 0x2015) letter = '-';
     else if (code == 0x2018 || code == 0x2019) letter = '\'';
     else if (code == 0x201c || code == 0x201d) letter = '"';
-    return glyphs[letter - ' '];
+    return letter;
+}
+
+
+static const char *stroke_glyph(uint32_t code)
+{
+    const char letter = stroke_letter(code);
+    return glyphs[(letter != '\0' ? letter : '?') - ' '];
+}
+
+
+bool mus__text_has_strokes(const char *text)
+{
+    bool all = true;
+    for (uint32_t code; all && (code = mus__text_character(&text)) != 0;)
+        all = stroke_letter(code) != '\0' || code == 0xfffd || code < 0x20 || code == 0x7f;
+    return all;
 }
 
 
@@ -103,6 +120,24 @@ double mus__text_width(const char *text)
     for (uint32_t code; (code = mus__text_character(&text)) != 0;)
         width += stroke_digit(stroke_glyph(code)[0]) + SPACING;
     return width > 0 ? (width - SPACING) / CAPITAL : 0.0;
+}
+
+
+size_t mus__text_line(const char *text, double height, double width)
+{
+    size_t fits = 0, end = 0;
+    int32_t wide = 0;
+    for (const char *at = text;;) {
+        const bool word = *at == ' ' || *at == '\0';
+        /* the last letter has no space behind it */
+        if (word && fits > 0 && height * ((wide - SPACING) / CAPITAL) > width) break;
+        if (word) fits = end;
+        const uint32_t code = mus__text_character(&at);
+        if (code == 0) break;
+        wide += stroke_digit(stroke_glyph(code)[0]) + SPACING;
+        end = (size_t)(at - text);
+    }
+    return fits;
 }
 
 
@@ -149,30 +184,9 @@ static void text_glyph(mus__drawing *drawing, const char *glyph, const text_fram
 }
 
 
-/* keep a text for readers; its left end is at (x, y) */
-static void text_keep(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
+void mus__stroke_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
 {
-    const size_t n = strlen(text);
-    if (drawing->status != MUS_OK || n == 0 || n > INT32_MAX / 2) return;
-    drawing->status = mus__print_reserve(drawing->context, &drawing->texts, &drawing->text_room,
-                                         (int64_t)drawing->ntext + 1, sizeof *drawing->texts);
-    if (drawing->status == MUS_OK)
-        drawing->status = mus__print_reserve(drawing->context, &drawing->letters, &drawing->letter_room,
-                                             (int64_t)drawing->nletter + (int64_t)n, 1);
-    if (drawing->status != MUS_OK) return;
-    memcpy(drawing->letters + drawing->nletter, text, n);
-    drawing->texts[drawing->ntext++] =
-        (mus__text){drawing->nletter, (int32_t)n, x, y, style->height};
-    drawing->nletter += (int32_t)n;
-}
-
-
-void mus__draw_text(mus__drawing *drawing, const char *text, double x, double y, const mus__text_style *style)
-{
-    double back = style->align * style->height * mus__text_width(text);
-    text_frame f = {x - back * style->cosine, y - back * style->sine, style->height / CAPITAL, style->cosine,
-                    style->sine};
-    text_keep(drawing, text, f.x, f.y, style);
+    text_frame f = {x, y, style->height / CAPITAL, style->cosine, style->sine};
     for (uint32_t code; (code = mus__text_character(&text)) != 0;) {
         const char *glyph = stroke_glyph(code);
         text_glyph(drawing, glyph, &f);

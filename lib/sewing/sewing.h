@@ -38,7 +38,7 @@ typedef struct mus__sewn {
     int32_t next;          /* next seam of the line, or MUS_NONE */
     int32_t step;
     char words[2][2][2 * MUS__WORDS]; /* of each side: panel and edge, without left and right, and with them */
-    char phrase[MUS__PHRASE];         /* as it is told */
+    char phrase[MUS__PHRASE];         /* as it is told, in English */
 } mus__sewn;
 
 typedef struct mus__sewing_step {
@@ -64,12 +64,17 @@ typedef struct mus__sewing {
 void mus__sewing_words(const char *name, bool sideless, char *out);
 /* write what an edge is called: its label, else its name, without digits; "edge" without both */
 void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out);
+/* write the English words of a "panel" or an "edge" in a language */
+void mus__sewing_words_in(int32_t language, const char *kind, const char *words, char *out);
 
 /* ---- seams (sewing_seams.c) ---- */
 
 /* read and sort the seams of a pattern; mus__sewing_free() frees them, also after a failure */
 mus_status mus__sewing_make(mus_context *context, const mus_pattern *pattern, mus__sewing *out);
 void mus__sewing_free(mus__sewing *sewing);
+/* write both sides of a seam in words (MUS__PHRASE), in a language; left and right are left out where all of the
+ * family are told together */
+void mus__sewing_phrase(const mus_pattern *pattern, const mus__sewn *sewn, int32_t language, char *out);
 
 /* ---- order (sewing_order.c) ---- */
 

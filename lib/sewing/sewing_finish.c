@@ -31,12 +31,12 @@ typedef struct finish_group {
 
 /* what is sewn on by the label of the panel; `last` after the edges */
 static const struct {
-    const char *label, *text;
+    const char *label, *key;
     bool last;
 } finish_parts[] = {
-    {"fly", "Sew the parts of the fly to the edges of its opening", false},
-    {"loop", "Fold the strip lengthwise, stitch it, cut it in equal loops, and sew them over the band", true},
-    {"", "Make up and sew on", false},
+    {"fly", "step.fly", false},
+    {"loop", "step.loop", true},
+    {"", "step.part", false},
 };
 
 
@@ -157,67 +157,77 @@ static int32_t finish_groups(const mus__instructions *job, const finish_edge *ed
 }
 
 
-/* write the panels that are sewn to edges with the words, and how */
-static void tell_facings(mus__instructions *job, const char *words)
+/* write the step of panels that are sewn to edges with the words: `key`, with the panels in `place`, and the length
+ * of a rib in the next. Panels that are several are joined first */
+static void tell_facings(mus__instructions *job, const char *words, mus__phrase *phrase, const char *key, int32_t place)
 {
     double rib = 0.0;
+    char full[64], length[MUS__LENGTH];
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         if (!finish_with(job, i, words)) continue;
         mus__list_add(job, job->extra, i);
         if (mus__tell_copies(job->extra, i, MUS_MATERIAL_RIB) > 0) rib = fmax(rib, mus__tell_longest(job->extra, i));
     }
     const bool several = job->list.n > 1;
-    mus__list_tell(job);
-    if (rib == 0.0) {
-        mus__sink_print(&job->sink, "%s, sewn on right sides together, turned inside and pressed",
-                        several ? ", joined at their ends" : "");
-        return;
-    }
-    mus__sink_print(&job->sink, ", ");
-    mus__tell_length(&job->sink, rib);
-    mus__sink_print(&job->sink, " long, closed to a ring, folded and stretched");
+    char *list = mus__list_take(job);
+    if (list == NULL) return;
+    mus__phrase_text(phrase, place, list);
+    mus__phrase_text(phrase, place + 1, mus__tell_length(job, rib, length));
+    snprintf(full, sizeof full, "%s%s", key, rib > 0.0 ? "_rib" : several ? "_joined" : "");
+    mus__tell_step(job, phrase, full);
+    mus__print_free(job->sink.context, list);
 }
 
 
-/* write how deep free edges are turned; nothing where the sheet sets the depth of one */
-static void tell_depth(mus__sink *sink, const finish_edge *edges, int32_t count)
+/* write how deep free edges are turned; "" where the sheet sets the depth of one, or where it is 0 */
+static void tell_depth(const mus__instructions *job, const finish_edge *edges, int32_t count, char *out)
 {
     double least = HUGE_VAL, most = 0.0;
+    bool known = true;
     for (int32_t i = 0; i < count; i++) {
-        if (isnan(edges[i].allowance)) return;
+        known = known && !isnan(edges[i].allowance);
         least = fmin(least, edges[i].allowance);
         most = fmax(most, edges[i].allowance);
     }
-    if (lround(1e3 * least) < lround(1e3 * most)) mus__sink_print(sink, "%ld to ", lround(1e3 * least));
-    if (most > 0.0) mus__sink_print(sink, "%ld mm ", lround(1e3 * most));
+    const long low = lround(1e3 * least), high = lround(1e3 * most);
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_number(&phrase, 0, low < high ? low : high);
+    mus__phrase_number(&phrase, 1, high);
+    out[0] = '\0';
+    if (known && most > 0.0) mus__phrase_write(&phrase, low < high ? "depth.range" : "depth", out, 2 * MUS__LENGTH);
 }
 
 
 static void tell_group_step(mus__instructions *job, const finish_edge *edges, const finish_group *group)
 {
     const finish_edge *first = &edges[group->first];
-    mus__sink *sink = &job->sink;
+    const char *comma = mus_language_text(job->language, "list.comma");
+    const bool bare = strcmp(first->words, first->panel) == 0;
+    char told[MUS__WORDS], words[MUS__WORDS], depth[2 * MUS__LENGTH], length[MUS__LENGTH];
     bool elastic = false;
-    mus__sink_print(sink, "%d. Finish the %s of ", (int)++job->number,
-                    strcmp(first->words, first->panel) == 0 ? "free edge" : first->words);
+    mus__sink panels;
+    mus__sink_init(&panels, job->sink.context);
     for (int32_t i = 0; i < group->count; i++) {
         if (i == 0 || strcmp(first[i].panel, first[i - 1].panel) != 0)
-            mus__sink_print(sink, "%s%s", i > 0 ? ", " : "", first[i].panel);
+            mus__sink_print(&panels, "%s%s", i > 0 ? comma : "", mus__tell_words(job, "panel", first[i].panel, told));
         elastic = elastic || first[i].elastic;
     }
-    mus__sink_print(sink, ", ");
-    mus__tell_length(sink, group->length);
-    mus__sink_print(sink, " in all");
-    if (group->faced) {
-        mus__sink_print(sink, ", with: ");
-        tell_facings(job, first->words);
-    } else {
-        mus__sink_print(sink, ": turn ");
-        tell_depth(sink, first, group->count);
-        mus__sink_print(sink, "to the wrong side and stitch%s",
-                        elastic ? ", with a gap; draw the elastic in and close it" : "");
+    mus__sink_add(&panels, "", 1);
+    if (panels.status != MUS_OK) {
+        if (job->sink.status == MUS_OK) job->sink.status = panels.status;
+        mus__sink_free(&panels);
+        return;
     }
-    mus__sink_print(sink, ".\n");
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_text(&phrase, 0, mus__tell_words(job, "edge", bare ? "free edge" : first->words, words));
+    mus__phrase_text(&phrase, 1, panels.bytes);
+    mus__phrase_text(&phrase, 2, mus__tell_length(job, group->length, length));
+    tell_depth(job, first, group->count, depth);
+    mus__phrase_text(&phrase, 3, depth);
+    if (group->faced) tell_facings(job, first->words, &phrase, "step.faced", 3);
+    else if (depth[0] != '\0') mus__tell_step(job, &phrase, elastic ? "step.hem_elastic" : "step.hem");
+    else mus__tell_step(job, &phrase, elastic ? "step.turn_elastic" : "step.turn");
+    mus__sink_free(&panels);
 }
 
 
@@ -256,11 +266,12 @@ static int32_t part_of(const mus__instructions *job, int32_t panel)
 
 void mus__tell_parts(mus__instructions *job, bool last)
 {
+    mus__phrase phrase = mus__phrase_in(job->language);
     for (int32_t k = 0; k < (int32_t)(sizeof finish_parts / sizeof finish_parts[0]); k++) {
         if (finish_parts[k].last != last) continue;
         for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
             if (part_of(job, i) == k) mus__list_add(job, job->extra, i);
-        mus__list_step(job, finish_parts[k].text, "");
+        mus__list_step(job, &phrase, finish_parts[k].key);
     }
 }
 
@@ -273,9 +284,10 @@ static void tell_over_seams(mus__instructions *job)
         if (part_edges(job, i, true) || !part_edges(job, i, false)) continue;
         while (!finish_with(job, first, job->finishes[i])) first++;
         if (first < i) continue;
-        mus__sink_print(&job->sink, "%d. Over the seam of the %s: ", (int)++job->number, job->finishes[i]);
-        tell_facings(job, job->finishes[i]);
-        mus__sink_print(&job->sink, ".\n");
+        char words[MUS__WORDS];
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_text(&phrase, 0, mus__tell_words(job, "edge", job->finishes[i], words));
+        tell_facings(job, job->finishes[i], &phrase, "step.over", 1);
     }
 }
 
@@ -290,9 +302,10 @@ static void tell_elastic(mus__instructions *job)
         mus__sewing_edge_words(job->pattern, i, words);
         if (least[0] == '\0' || strcmp(words, least) < 0) memcpy(least, words, sizeof least);
     }
-    if (least[0] != '\0')
-        mus__sink_print(&job->sink, "%d. Stretch the elastic and sew it inside along the %s.\n", (int)++job->number,
-                        least);
+    if (least[0] == '\0') return;
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_text(&phrase, 0, mus__tell_words(job, "edge", least, words));
+    mus__tell_step(job, &phrase, "step.elastic");
 }
 
 
@@ -301,9 +314,8 @@ static void tell_layers(mus__instructions *job)
 {
     for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
         if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
-    mus__list_step(job, "Second layers, or linings",
-                   " Sew them to each other as the first ones, then to the first ones along the edges that no step "
-                   "names; turn them inside and close the last edge by hand.");
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__list_step(job, &phrase, "step.layers");
 }
 
 

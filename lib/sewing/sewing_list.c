@@ -2,16 +2,36 @@
  * sewing_list.c: what the sentences of the instructions share: lengths, lists of words, and facts of panels.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/sort.h"
 #include "sewing/sewing_text.h"
 
 
-void mus__tell_length(mus__sink *sink, double length)
+const char *mus__tell_length(const mus__instructions *job, double length, char *out)
 {
     const long tenths = lround(1e3 * length);
-    mus__sink_print(sink, "%ld.%ld cm", tenths / 10, tenths % 10);
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_number(&phrase, 0, tenths / 10);
+    mus__phrase_number(&phrase, 1, tenths % 10);
+    mus__phrase_write(&phrase, "length", out, MUS__LENGTH);
+    return out;
+}
+
+
+const char *mus__tell_words(const mus__instructions *job, const char *kind, const char *words, char *out)
+{
+    mus__sewing_words_in(job->language, kind, words, out);
+    return out;
+}
+
+
+void mus__tell_step(mus__instructions *job, const mus__phrase *phrase, const char *key)
+{
+    mus__sink_print(&job->sink, "%d. ", (int)++job->number);
+    mus__phrase_add(phrase, key, &job->sink);
+    mus__sink_print(&job->sink, "\n");
 }
 
 
@@ -38,26 +58,37 @@ static size_t list_stem(const char *words)
 }
 
 
-void mus__list_tell(mus__instructions *job)
+char *mus__list_take(mus__instructions *job)
 {
-    char(*words)[MUS__WORDS] = job->list.words;
+    char(*words)[MUS__WORDS] = job->list.words, stem[MUS__WORDS], told[MUS__WORDS];
+    const char *comma = mus_language_text(job->language, "list.comma");
+    mus__sink text;
+    mus__sink_init(&text, job->sink.context);
     mus__sort(words, (size_t)job->list.n, sizeof *words, list_compare);
     for (int32_t i = 0, last = 0; i < job->list.n; i++) {
         const size_t size = list_stem(words[i]);
         if (i > 0 && size == list_stem(words[last]) && strncmp(words[i], words[last], size) == 0) continue;
-        mus__sink_print(&job->sink, "%s%.*s", i > 0 ? ", " : "", (int)size, words[i]);
+        snprintf(stem, sizeof stem, "%.*s", (int)size, words[i]);
+        mus__sink_print(&text, "%s%s", i > 0 ? comma : "", mus__tell_words(job, "panel", stem, told));
         last = i;
     }
     job->list.n = 0;
+    mus__sink_add(&text, "", 1);
+    if (text.status == MUS_OK) return text.bytes;
+    if (job->sink.status == MUS_OK) job->sink.status = text.status;
+    mus__sink_free(&text);
+    return NULL;
 }
 
 
-void mus__list_step(mus__instructions *job, const char *head, const char *tail)
+void mus__list_step(mus__instructions *job, mus__phrase *phrase, const char *key)
 {
     if (job->list.n == 0) return;
-    mus__sink_print(&job->sink, "%d. %s: ", (int)++job->number, head);
-    mus__list_tell(job);
-    mus__sink_print(&job->sink, ".%s\n", tail);
+    char *list = mus__list_take(job);
+    if (list == NULL) return;
+    mus__phrase_text(phrase, 0, list);
+    mus__tell_step(job, phrase, key);
+    mus__print_free(job->sink.context, list);
 }
 
 

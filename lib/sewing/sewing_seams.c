@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/sort.h"
+#include "print/phrase.h"
 #include "sewing/sewing.h"
 
 
@@ -152,26 +153,35 @@ static bool seam_twins(const mus__sewn *s, const mus__sewn *t)
 }
 
 
-/* write both sides in words; left and right are left out where all of the family are told together */
-static void seam_phrase(const mus_pattern *pattern, mus__sewn *sewn)
+void mus__sewing_phrase(const mus_pattern *pattern, const mus__sewn *sewn, int32_t language, char *out)
 {
-    char panel[2][MUS__WORDS], edge[2][MUS__WORDS], *out = sewn->phrase;
+    char panel[2][MUS__WORDS], edge[2][MUS__WORDS], told[2][2][MUS__WORDS];
     for (int32_t k = 0; k < 2; k++) {
         mus__sewing_words(mus_pattern_panel_name(pattern, sewn->panel[k]), sewn->twins > 1, panel[k]);
         mus__sewing_edge_words(pattern, sewn->edge[k], edge[k]);
+        mus__sewing_words_in(language, "panel", panel[k], told[k][0]);
+        mus__sewing_words_in(language, "edge", edge[k], told[k][1]);
     }
-    if (sewn->kind == MUS__SEWING_DART)
-        snprintf(out, MUS__PHRASE, "%s", panel[0]);
-    else if (sewn->kind == MUS__SEWING_PATCH)
-        snprintf(out, MUS__PHRASE, "%s onto %s", panel[0], panel[1]);
-    else if (strcmp(panel[0], panel[1]) == 0)
-        snprintf(out, MUS__PHRASE, "%s: %s to %s", panel[0], edge[0], edge[1]);
-    else if (strcmp(edge[0], "edge") == 0 && strcmp(edge[1], "edge") == 0) /* edges without name and label */
-        snprintf(out, MUS__PHRASE, "%s to %s", panel[0], panel[1]);
-    else if (strcmp(edge[0], edge[1]) == 0)
-        snprintf(out, MUS__PHRASE, "%s to %s at the %s", panel[0], panel[1], edge[0]);
-    else
-        snprintf(out, MUS__PHRASE, "%s (%s) to %s (%s)", panel[0], edge[0], panel[1], edge[1]);
+    mus__phrase phrase = mus__phrase_in(language);
+    const char *key = "line.edges";
+    const bool bare = strcmp(edge[0], "edge") == 0 && strcmp(edge[1], "edge") == 0; /* without name and label */
+    const bool one_panel = sewn->kind != MUS__SEWING_PATCH && strcmp(panel[0], panel[1]) == 0;
+    const char *const texts[4] = {told[0][0], one_panel ? told[0][1] : told[1][0], told[1][1], NULL};
+    if (sewn->kind == MUS__SEWING_DART) {
+        snprintf(out, MUS__PHRASE, "%s", told[0][0]);
+        return;
+    }
+    if (sewn->kind == MUS__SEWING_PATCH) key = "line.onto";
+    else if (one_panel) key = "line.same_panel";
+    else if (bare) key = "line.panels";
+    else if (strcmp(edge[0], edge[1]) == 0) key = "line.at";
+    for (int32_t i = 0; i < 3; i++) mus__phrase_text(&phrase, i, texts[i]);
+    if (strcmp(key, "line.edges") == 0) {
+        mus__phrase_text(&phrase, 1, told[0][1]);
+        mus__phrase_text(&phrase, 2, told[1][0]);
+        mus__phrase_text(&phrase, 3, told[1][1]);
+    }
+    mus__phrase_write(&phrase, key, out, MUS__PHRASE);
 }
 
 
@@ -187,7 +197,7 @@ static void seam_families(mus__sewing *sewing)
     for (int32_t i = 0; i < sewing->n; i++) {
         seams[i]->twins = seams[seams[i]->family]->twins;
         seams[i]->millimetres = lround(1e3 * seams[seams[i]->family]->length[0]);
-        seam_phrase(sewing->pattern, seams[i]);
+        mus__sewing_phrase(sewing->pattern, seams[i], MUS_LANGUAGE_ENGLISH, seams[i]->phrase);
     }
 }
 

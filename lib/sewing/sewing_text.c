@@ -14,23 +14,42 @@
 #include "sewing/sewing_text.h"
 
 
+/* write a head, after an empty line */
+static void tell_head_of(mus__instructions *job, const char *key)
+{
+    mus__sink_print(&job->sink, "\n%s\n", mus_language_text(job->language, key));
+}
+
+
+static void tell_item(mus__instructions *job, const mus__phrase *phrase, const char *key)
+{
+    mus__sink_print(&job->sink, "- ");
+    mus__phrase_add(phrase, key, &job->sink);
+    mus__sink_print(&job->sink, "\n");
+}
+
+
 /* ---- pieces ---- */
 
 static void tell_pieces(mus__instructions *job)
 {
-    mus__sink_print(&job->sink, "\nPieces\n");
+    tell_head_of(job, "head.pieces");
     for (int32_t k = 0; k < 2; k++) {
         const mus_pattern *pattern = k == 0 ? job->pattern : job->extra;
         for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
-            char words[MUS__WORDS], cut[128];
+            char words[MUS__WORDS], told[MUS__WORDS], cut[256];
             mus__piece piece;
             if (!mus__tell_printed(pattern, i)) continue;
             memset(&piece, 0, sizeof piece);
             for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) piece.copies[m] = mus__tell_copies(pattern, i, m);
             piece.mirrored = mus__tell_mirrored(pattern, i);
             mus__sewing_words(mus_pattern_panel_name(pattern, i), piece.mirrored, words);
-            mus__piece_cut_text(&piece, cut, sizeof cut);
-            mus__sink_print(&job->sink, "- %s: c%s\n", words, cut + 1);
+            mus__piece_cut_text(&piece, job->language, cut, sizeof cut);
+            if (cut[0] >= 'A' && cut[0] <= 'Z') cut[0] = (char)(cut[0] - 'A' + 'a'); /* after a colon */
+            mus__phrase phrase = mus__phrase_in(job->language);
+            mus__phrase_text(&phrase, 0, mus__tell_words(job, "panel", words, told));
+            mus__phrase_text(&phrase, 1, cut);
+            tell_item(job, &phrase, "list.colon");
         }
     }
 }
@@ -38,18 +57,21 @@ static void tell_pieces(mus__instructions *job)
 
 /* ---- notions ---- */
 
-/* write the head before the first notion */
-static mus__sink *notion(mus__instructions *job, bool *any)
+/* write a notion; the head before the first one */
+static void tell_notion(mus__instructions *job, const mus__phrase *phrase, const char *key, bool *any)
 {
-    if (!*any) mus__sink_print(&job->sink, "\nNotions\n");
+    if (!*any) tell_head_of(job, "head.notions");
     *any = true;
-    return &job->sink;
+    tell_item(job, phrase, key);
 }
 
 
-static void tell_buttons(mus__sink *sink, const char *before, int32_t count, const char *after)
+static void tell_zip(mus__instructions *job, double length, const char *key, bool *any)
 {
-    mus__sink_print(sink, "%s%d button%s%s", before, (int)count, count == 1 ? "" : "s", after);
+    char text[MUS__LENGTH];
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_text(&phrase, 0, mus__tell_length(job, length, text));
+    tell_notion(job, &phrase, key, any);
 }
 
 
@@ -58,73 +80,84 @@ static void tell_notions(mus__instructions *job)
     bool any = false;
     for (int32_t i = 0; i < job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i];
-        if (seam->buttons > 0) tell_buttons(notion(job, &any), "- ", seam->buttons, "\n");
-        if (!seam->zip) continue;
-        mus__sink_print(notion(job, &any), "- a zip of ");
-        mus__tell_length(&job->sink, seam->length[0]);
-        mus__sink_print(&job->sink, "\n");
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_number(&phrase, 0, seam->buttons);
+        if (seam->buttons > 0) tell_notion(job, &phrase, seam->buttons == 1 ? "buttons.one" : "buttons.many", &any);
+        if (seam->zip) tell_zip(job, seam->length[0], "notion.zip", &any);
     }
     double fly = HUGE_VAL;
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
         if (strcmp(mus_pattern_panel_label(job->extra, i), "fly") == 0)
             fly = fmin(fly, mus__tell_longest(job->extra, i));
-    if (fly < HUGE_VAL) {
-        mus__sink_print(notion(job, &any), "- a zip of ");
-        mus__tell_length(&job->sink, fly);
-        mus__sink_print(&job->sink, " for the fly\n");
-    }
+    if (fly < HUGE_VAL) tell_zip(job, fly, "notion.fly", &any);
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
+        char text[MUS__LENGTH];
         if (count == 0 || !mus__tell_printed(job->extra, i)) continue;
-        mus__sink_print(notion(job, &any), "- elastic, %d x ", (int)count);
-        mus__tell_length(&job->sink, mus__tell_longest(job->extra, i));
-        mus__sink_print(&job->sink, "\n");
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_number(&phrase, 0, count);
+        mus__phrase_text(&phrase, 1, mus__tell_length(job, mus__tell_longest(job->extra, i), text));
+        tell_notion(job, &phrase, "notion.elastic", &any);
     }
 }
 
 
 /* ---- preparation ---- */
 
+/* fold what the allowance of a closure with buttons is to the wrong side: both sides of a seam in one step */
+static void tell_plackets(mus__instructions *job)
+{
+    for (int32_t i = 0; i < 2 * job->sewing.n; i++) {
+        const mus__sewn *seam = job->sewing.by_words[i / 2];
+        const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
+        if (seam->kind != MUS__SEWING_BUTTONS || !(allowance > 0.0)) continue;
+        char words[MUS__WORDS], told[MUS__WORDS], depth[MUS__LENGTH];
+        mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
+        mus__list_add(job, job->pattern, seam->panel[i % 2]);
+        if (i % 2 == 0 && seam->panel[0] != seam->panel[1]) continue;
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_number(&phrase, 0, lround(1e3 * allowance));
+        mus__phrase_write(&phrase, "depth", depth, sizeof depth);
+        mus__phrase_text(&phrase, 1, depth);
+        mus__phrase_text(&phrase, 2, mus__tell_words(job, "edge", words, told));
+        mus__list_step(job, &phrase, "step.placket");
+    }
+}
+
+
+/* patches whose place is marked, each below its name */
+static void tell_patches(mus__instructions *job)
+{
+    for (int32_t k = 0; k < mus_pattern_panel_count(job->extra); k++) {
+        const char *mark = mus_pattern_panel_label(job->extra, k);
+        char words[MUS__WORDS], told[MUS__WORDS];
+        if (!mus__tell_printed(job->extra, k)) continue;
+        for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
+            if (mark[0] != '\0' && mus__tell_has_mark(job->pattern, i, mark)) mus__list_add(job, job->pattern, i);
+        mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_text(&phrase, 1, mus__tell_words(job, "panel", words, told));
+        mus__list_step(job, &phrase, "step.patch");
+    }
+}
+
+
 static void tell_preparation(mus__instructions *job)
 {
     const int32_t panels = mus_pattern_panel_count(job->pattern), extras = mus_pattern_panel_count(job->extra);
-    mus__sink_print(&job->sink, "\nSewing, on the dashed lines, right sides together unless a step says otherwise\n");
+    mus__phrase phrase = mus__phrase_in(job->language);
+    tell_head_of(job, "head.sewing");
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_copies(job->pattern, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->pattern, i);
     for (int32_t i = 0; i < extras; i++)
         if (mus__tell_copies(job->extra, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->extra, i);
-    mus__list_step(job, "Fuse the interfacing to", "");
+    mus__list_step(job, &phrase, "step.fuse");
 
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
-    mus__list_step(job, "Fold the pleats along their lines and hold them within the allowance", "");
-
-    for (int32_t i = 0; i < 2 * job->sewing.n; i++) {
-        const mus__sewn *seam = job->sewing.by_words[i / 2];
-        const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
-        if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0) {
-            char head[MUS__PHRASE], words[MUS__WORDS];
-            mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
-            snprintf(head, sizeof head, "Fold %ld mm at the %s to the wrong side and stitch", lround(1e3 * allowance),
-                     words);
-            mus__list_add(job, job->pattern, seam->panel[i % 2]);
-            if (i % 2 == 0 && seam->panel[0] != seam->panel[1]) continue; /* both sides in one step */
-            mus__list_step(job, head, "");
-        }
-    }
-
-    /* patches whose place is marked, each below its name */
-    for (int32_t k = 0; k < extras; k++) {
-        const char *mark = mus_pattern_panel_label(job->extra, k);
-        char words[MUS__WORDS], head[MUS__PHRASE];
-        if (!mus__tell_printed(job->extra, k)) continue;
-        for (int32_t i = 0; i < panels; i++)
-            if (mark[0] != '\0' && mus__tell_has_mark(job->pattern, i, mark)) mus__list_add(job, job->pattern, i);
-        mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
-        snprintf(head, sizeof head, "Hem the upper edge of the %s, turn the others in, and stitch it along its line on",
-                 words);
-        mus__list_step(job, head, "");
-    }
+    mus__list_step(job, &phrase, "step.pleats");
+    tell_plackets(job);
+    tell_patches(job);
     mus__tell_parts(job, false);
 }
 
@@ -192,19 +225,20 @@ static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, cons
     const double ease = group->length[longer] - group->length[shorter];
     const bool rib = mus__tell_copies(job->pattern, seam->panel[shorter], MUS_MATERIAL_RIB) > 0;
     const int32_t moved = rib ? shorter : longer;
-    mus__tell_length(&job->sink, group->length[1 - moved]);
-    if (group->notches > 0)
-        mus__sink_print(&job->sink, ", %d notch%s", (int)group->notches, group->notches == 1 ? "" : "es");
+    char text[MUS__PHRASE], words[MUS__WORDS], told[MUS__WORDS], length[MUS__LENGTH];
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__sink_print(&job->sink, "%s", mus__tell_length(job, group->length[1 - moved], length));
+    if (group->notches > 0) {
+        mus__phrase_count(&phrase, "notches", group->notches, text, sizeof text);
+        mus__sink_print(&job->sink, "%s%s", mus_language_text(job->language, "list.comma"), text);
+    }
     if (ease <= group->count * seam->tolerance || lround(1e3 * ease) == 0) return;
-    char words[MUS__WORDS];
     const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
     mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[moved]), true, words);
-    mus__sink_print(&job->sink, "; %s%s from ",
-                    rib      ? "stretch the "
-                    : pleats ? "pleats shorten the "
-                             : "ease or gather the ",
-                    words);
-    mus__tell_length(&job->sink, group->length[moved]);
+    mus__phrase_text(&phrase, 0, mus__tell_words(job, "panel", words, told));
+    mus__phrase_text(&phrase, 1, mus__tell_length(job, group->length[moved], length));
+    mus__sink_print(&job->sink, "%s", mus_language_text(job->language, "list.semicolon"));
+    mus__phrase_add(&phrase, rib ? "ease.rib" : pleats ? "ease.pleats" : "ease.gather", &job->sink);
 }
 
 
@@ -213,32 +247,45 @@ static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t c
 {
     const mus__sewn *seam = seams[0];
     const tell_group group = group_add(seams, count);
-    mus__sink *sink = &job->sink;
-    mus__sink_print(sink, "   - %s%s", seam->zip ? "set in the zip: " : "", seam->phrase);
-    if (seam->kind == MUS__SEWING_DART) {
-        mus__sink_print(sink, ": %d %s%s of ", (int)group.count, seam->laid ? "pleat" : "dart",
-                        group.count == 1 ? "" : "s");
-        mus__tell_length(sink, seam->length[0]);
-    } else {
-        mus__sink_print(sink, ", ");
+    const char *comma = mus_language_text(job->language, "list.comma");
+    const bool dart = seam->kind == MUS__SEWING_DART, one = group.count == 1;
+    char words[MUS__PHRASE], text[MUS__PHRASE], length[MUS__LENGTH];
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__sewing_phrase(job->pattern, seam, job->language, words);
+    mus__phrase_text(&phrase, 0, words);
+    mus__phrase_number(&phrase, 1, group.count);
+    mus__phrase_text(&phrase, 2, mus__tell_length(job, seam->length[0], length));
+    mus__sink_print(&job->sink, "   - ");
+    if (dart && seam->laid) mus__phrase_add(&phrase, one ? "line.pleat.one" : "line.pleat.many", &job->sink);
+    else if (dart) mus__phrase_add(&phrase, one ? "line.dart.one" : "line.dart.many", &job->sink);
+    else if (seam->zip) mus__phrase_add(&phrase, "line.zip", &job->sink);
+    else mus__sink_print(&job->sink, "%s", words);
+    if (!dart) {
+        mus__sink_print(&job->sink, "%s", comma);
         tell_sewn_length(job, seam, &group);
-        if (seam->buttons > 0) tell_buttons(sink, ", ", seam->buttons, "");
     }
-    mus__sink_print(sink, "%s\n", group.twins ? "; left and right alike" : "");
+    if (!dart && seam->buttons > 0) {
+        mus__phrase_count(&phrase, "buttons", seam->buttons, text, sizeof text);
+        mus__sink_print(&job->sink, "%s%s", comma, text);
+    }
+    if (group.twins)
+        mus__sink_print(&job->sink, "%s%s", mus_language_text(job->language, "list.semicolon"),
+                        mus_language_text(job->language, "line.alike"));
+    mus__sink_print(&job->sink, "\n");
 }
 
 
 /* write what a step is called, by what it does to the work */
 static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool pleats, bool several)
 {
-    static const char *const heads[] = {"Sew the darts", "Turn the edges in, lay on and stitch round", NULL,
-                                        "Work the buttonholes and sew on the buttons"};
-    const char *head = step->rings <= 0 || step->joins > 0 ? "Sew" : "Close";
-    if (step->kind != MUS__SEWING_SEAM) head = heads[step->kind];
-    mus__sink_print(&job->sink, "%d. %s%s:\n", (int)++job->number, head,
-                    pleats                                      ? " and fold the pleats"
-                    : several && step->kind == MUS__SEWING_SEAM ? ", in one go"
-                                                                : "");
+    static const char *const keys[] = {"step.darts", "step.lay_on", NULL, "step.buttons"};
+    const bool closes = step->rings > 0 && step->joins <= 0;
+    const mus__phrase phrase = mus__phrase_in(job->language);
+    const char *key = keys[step->kind];
+    if (step->kind == MUS__SEWING_DART && pleats) key = "step.darts_pleats";
+    if (key == NULL && closes) key = several ? "step.close_in_one" : "step.close";
+    if (key == NULL) key = several ? "step.sew_in_one" : "step.sew";
+    mus__tell_step(job, &phrase, key);
 }
 
 
@@ -283,14 +330,15 @@ static mus_status instructions_tell(mus__instructions *job, const char *title)
 }
 
 
-static mus_status instructions_write(const mus_pattern *pattern, const char *title, const mus__target *target,
-                                     const char *what)
+static mus_status instructions_write(const mus_pattern *pattern, const char *language, const char *title,
+                                     const mus__target *target, const char *what)
 {
     if (pattern == NULL) return MUS_ERR_ARG;
     mus_context *context = mus_pattern_context(pattern);
-    mus_status status = mus__target_check(context, target, what);
-    if (status != MUS_OK) return status;
     mus__instructions job = {.pattern = pattern, .extra = mus_pattern_cut_only(pattern)};
+    mus_status status = mus__target_check(context, target, what);
+    if (status == MUS_OK) status = mus__language_read(context, language, what, &job.language);
+    if (status != MUS_OK) return status;
     const int64_t most = (int64_t)mus_pattern_panel_count(pattern) + mus_pattern_panel_count(job.extra);
     mus__sink_init(&job.sink, context);
     status = mus__sewing_make(context, pattern, &job.sewing);
@@ -313,13 +361,29 @@ static mus_status instructions_write(const mus_pattern *pattern, const char *tit
 
 mus_status mus_pattern_write_instructions(const mus_pattern *pattern, const char *title, const char *path)
 {
-    return instructions_write(pattern, title, &(mus__target){path, NULL, NULL}, "mus_pattern_write_instructions");
+    return instructions_write(pattern, NULL, title, &(mus__target){path, NULL, NULL}, "mus_pattern_write_instructions");
 }
 
 
 mus_status mus_pattern_write_instructions_bytes(const mus_pattern *pattern, const char *title, char **bytes,
                                                 size_t *size)
 {
-    return instructions_write(pattern, title, &(mus__target){NULL, bytes, size},
+    return instructions_write(pattern, NULL, title, &(mus__target){NULL, bytes, size},
                               "mus_pattern_write_instructions_bytes");
+}
+
+
+mus_status mus_pattern_write_instructions_in(const mus_pattern *pattern, const char *language, const char *title,
+                                             const char *path)
+{
+    return instructions_write(pattern, language, title, &(mus__target){path, NULL, NULL},
+                              "mus_pattern_write_instructions_in");
+}
+
+
+mus_status mus_pattern_write_instructions_in_bytes(const mus_pattern *pattern, const char *language, const char *title,
+                                                   char **bytes, size_t *size)
+{
+    return instructions_write(pattern, language, title, &(mus__target){NULL, bytes, size},
+                              "mus_pattern_write_instructions_in_bytes");
 }

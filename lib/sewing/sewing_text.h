@@ -4,6 +4,7 @@
 #ifndef MUS_SEWING_TEXT_H
 #define MUS_SEWING_TEXT_H
 
+#include "print/phrase.h"
 #include "sewing/sewing.h"
 
 /* words that one sentence lists */
@@ -15,6 +16,7 @@ typedef struct mus__words_list {
 typedef struct mus__instructions {
     const mus_pattern *pattern;
     const mus_pattern *extra; /* panels that are cut and not draped, or NULL */
+    int32_t language;
     mus__sewing sewing;
     char (*finishes)[MUS__WORDS]; /* (panels of `extra`) words of the edges that each finishes, "" for none */
     bool *free;                   /* (edges) finished for itself: cut, in no seam, and of one layer */
@@ -23,14 +25,21 @@ typedef struct mus__instructions {
     int32_t number; /* of the last step */
 } mus__instructions;
 
-/* write a length [m] as centimetres with one decimal, in every locale */
-void mus__tell_length(mus__sink *sink, double length);
+#define MUS__LENGTH 32 /* [bytes] of a length with its zero byte */
+
+/* write a length [m] as centimetres with one decimal, by the language and not by the locale; returns `out` */
+const char *mus__tell_length(const mus__instructions *job, double length, char *out);
+/* write the English words of a "panel" or an "edge" as they are told; returns `out` (MUS__WORDS) */
+const char *mus__tell_words(const mus__instructions *job, const char *kind, const char *words, char *out);
+/* write a step: its number and the row of a key */
+void mus__tell_step(mus__instructions *job, const mus__phrase *phrase, const char *key);
 /* add the name of a panel to the list */
 void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel);
-/* write "a, b, c" and empty the list; a last number is left out, and equal words are told once */
-void mus__list_tell(mus__instructions *job);
-/* write a step: `head`, the list, `tail`; nothing when the list is empty */
-void mus__list_step(mus__instructions *job, const char *head, const char *tail);
+/* the words of the list as "a, b, c", which the caller frees by mus__print_free(); a last number is left out, and equal
+ * words are told once. The list is empty after it. NULL without memory, which the sink remembers */
+char *mus__list_take(mus__instructions *job);
+/* write a step of a key with the list in place 0; nothing when the list is empty */
+void mus__list_step(mus__instructions *job, mus__phrase *phrase, const char *key);
 /* number of copies to cut of a panel or of the one that it is the mirror image of */
 int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t material);
 /* is a panel printed, and not as the image of another? */

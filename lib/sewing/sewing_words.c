@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "muslin/language.h"
 #include "sewing/sewing.h"
 
 
@@ -78,4 +79,11 @@ void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
     while (n > 0 && out[n - 1] == ' ') n--;
     out[n] = '\0';
     if (n == 0) snprintf(out, MUS__WORDS, "edge");
+}
+
+
+void mus__sewing_words_in(int32_t language, const char *kind, const char *words, char *out)
+{
+    if (language == MUS_LANGUAGE_ENGLISH) snprintf(out, MUS__WORDS, "%s", words);
+    else mus_language_compose(language, kind, words, out, MUS__WORDS);
 }

@@ -14,7 +14,8 @@ def comma_environment(folder):
         if place == str(folder):
             subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", folder / "de_DE.UTF-8"], capture_output=True)
         for name in ("de_DE.UTF-8", "fr_FR.UTF-8"):
-            environment = {**os.environ, "LC_ALL": name}
+            # numbers alone: the language of what the command prints is that of messages
+            environment = {**os.environ, "LC_ALL": "", "LANG": "C", "LC_MESSAGES": "C", "LC_NUMERIC": name}
             if place:
                 environment["LOCPATH"] = place
             done = subprocess.run(["locale", "decimal_point"], capture_output=True, text=True, env=environment)

@@ -141,6 +141,8 @@
     X(mus_sheet_write_rul_bytes, nothing, (w->have.sheet, &w->rul, BYTES))                                             \
     X(mus_sheet_write_plt, nothing, (w->have.sheet, NULL, w->path))                                                    \
     X(mus_sheet_write_plt_bytes, nothing, (w->have.sheet, NULL, BYTES))                                                \
+    X(mus_pattern_write_instructions_in, nothing, (P, "de", "title", w->path))                                         \
+    X(mus_pattern_write_instructions_in_bytes, nothing, (P, "ja", NULL, BYTES))                                        \
     X(mus_pattern_write_instructions, nothing, (P, "title", w->path))                                                  \
     X(mus_pattern_write_instructions_bytes, nothing, (P, NULL, BYTES))                                                 \
     X(mus_body_create_scan, mesh_of_body,                                                                              \
@@ -463,6 +465,15 @@
     X(mus_scan_def_init, nothing, (&(mus_scan_def){0}, sizeof(mus_scan_def)))                                          \
     X(mus_scan_report_init, nothing, (&(mus_scan_report){0}, sizeof(mus_scan_report)))                                 \
     X(mus_measure_count, nothing, ())                                                                                  \
+    X(mus_language_count, nothing, ())                                                                                 \
+    X(mus_language_tag, nothing, (0))                                                                                  \
+    X(mus_language_name, nothing, (0))                                                                                 \
+    X(mus_language_is_right_to_left, nothing, (0))                                                                     \
+    X(mus_language_find, nothing, ("de"))                                                                              \
+    X(mus_language_row_count, nothing, ())                                                                             \
+    X(mus_language_row_key, nothing, (0))                                                                              \
+    X(mus_language_text, nothing, (1, "list.comma"))                                                                   \
+    X(mus_language_compose, nothing, (1, "panel", "front", (char[8]){0}, 8))                                           \
     X(mus_measure_name, nothing, (0))                                                                                  \
     X(mus_measure_unit, nothing, (0))                                                                                  \
     X(mus_measure_find, nothing, ("again"))                                                                            \

@@ -240,7 +240,9 @@ void fuzz_print(const uint8_t *bytes, size_t size)
     mus_sheet *sheet = NULL;
     char *told = NULL;
     size_t told_length = 0;
-    if (pattern != NULL && mus_pattern_write_instructions_bytes(pattern, NULL, &told, &told_length) == MUS_OK)
+    const char *tag = mus_language_tag((int32_t)(size % (size_t)mus_language_count()));
+    if (pattern != NULL &&
+        mus_pattern_write_instructions_in_bytes(pattern, tag, NULL, &told, &told_length) == MUS_OK)
         mus_context_alloc(context, told, 0);
     if (pattern != NULL && print_fits(pattern) && mus_sheet_create(context, pattern, NULL, &sheet) == MUS_OK) {
         char *text = NULL;

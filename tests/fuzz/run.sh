@@ -31,7 +31,7 @@ failed=0
 for target in "$@"; do
     case " $(echo $all) " in *" $target "*) ;; *) echo "run.sh: $target is no target: $all" >&2; exit 2 ;; esac
     clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude -Iexamples tests/fuzz/entry.c tests/fuzz/fuzz*.c \
-        $archives $sqlite $(pkg-config --libs cairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
+        $archives $sqlite $(pkg-config --libs cairo pangocairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
     mkdir -p "$build/$target.corpus"
     log=$build/$target.log
     times >"$build/$target.before" # of the shell itself: in a pipeline its children are not counted

@@ -11,7 +11,7 @@ CC=${CC:-cc}
 SHEET_MOST=${SHEET_MOST:-307200}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-outside=$(pkg-config --libs cairo jansson yaml-0.1 expat sqlite3)
+outside=$(pkg-config --libs cairo pangocairo jansson yaml-0.1 expat sqlite3)
 status=0
 printf '%-10s %10s  %s\n' program bytes rooms
 for source in tests/guard/carried/*.c; do

@@ -32,7 +32,7 @@ def examples(page):
 
 
 def run_example(name, text, lib):
-    packages = subprocess.run(["pkg-config", "--libs", "cairo", "jansson", "yaml-0.1", "expat",
+    packages = subprocess.run(["pkg-config", "--libs", "cairo", "pangocairo", "jansson", "yaml-0.1", "expat",
                                "sqlite3"], capture_output=True,
                               text=True).stdout.split()
     archives = [str(lib / f"libmuslin{part}.a") for part in ("-print", "-exchange", "-catalogue", "")]

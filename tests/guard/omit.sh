@@ -94,7 +94,7 @@ link_tests()
     $CC -std=c11 -Iinclude -Itests -I"$into" $($PKG_CONFIG --cflags check) -c tests/main.c -o "$into/main.o" &&
         $CC -pthread "$into/main.o" "$out/obj/tests/support.o" $(cat "$into/objects") -Wl,--start-group $archives \
             $parts -Wl,--end-group \
-            $($PKG_CONFIG --libs check cairo jansson yaml-0.1 expat sqlite3 libpng) -ldl -lm -o "$into/tests"
+            $($PKG_CONFIG --libs check cairo pangocairo jansson yaml-0.1 expat sqlite3 libpng) -ldl -lm -o "$into/tests"
 }
 
 refused() # MODULE: a call of it does not link

@@ -44,7 +44,7 @@ compare libmuslin-exchange include/muslin/exchange.h
 compare libmuslin-catalogue include/muslin/catalogue.h
 system='libc|libm|libpthread|libgcc_s|ld-linux-x86-64'
 needs libmuslin "$system"
-needs libmuslin-print "$system|libmuslin|libcairo"
+needs libmuslin-print "$system|libmuslin|libcairo|libpango-1.0|libpangocairo-1.0|libgobject-2.0"
 needs libmuslin-exchange "$system|libmuslin|libjansson|libyaml-0|libexpat"
 needs libmuslin-catalogue "$system|libmuslin|libsqlite3"
 exit $status

@@ -24,8 +24,8 @@ LIB = pathlib.Path(os.environ.get("MUSLIN_LIB", BUILD / "lib/libmuslin.so")).res
 OUT = BUILD / "hosts"
 SCENE = ("tshirt", "W40", "30")  # design, table size, spacing [mm]
 STRICT = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion", "-Werror"]
-BUILT_BY = ["gcc", "libc6-dev", "make", "pkg-config", "python3", "libcairo2-dev", "libjansson-dev", "libyaml-dev",
-            "libexpat1-dev", "libsqlite3-dev"]
+BUILT_BY = ["gcc", "libc6-dev", "make", "pkg-config", "python3", "libcairo2-dev", "libpango1.0-dev",
+            "libjansson-dev", "libyaml-dev", "libexpat1-dev", "libsqlite3-dev"]
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"]
 
 

@@ -36,7 +36,7 @@ def test_luajit_raises_frees_and_calls_back(tmp_path):
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="gcc is not installed")
 def test_the_pdf_writer_of_the_page_has_the_calls_that_the_sheet_makes(tmp_path):
     web = hosts.BINDINGS / "web/src"
-    for number, source in enumerate((hosts.ROOT / "lib/print/pdf.c", web / "pdf_page.c")):
+    for number, source in enumerate((hosts.ROOT / "lib/paperfile/pdf.c", web / "pdf_page.c")):
         hosts.run("gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", f"-I{web}", f"-I{hosts.ROOT / 'include'}",
                   f"-I{hosts.ROOT / 'lib'}", "-c", source, "-o", tmp_path / f"{number}.o")
     calls = {name for name in hosts.run("nm", "-u", tmp_path / "0.o").split() if name.startswith("cairo_")}

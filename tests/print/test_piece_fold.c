@@ -125,7 +125,7 @@ START_TEST(a_sheet_of_halves_says_so_and_is_no_dxf)
     ck_assert_int_eq(told.fold, 1);
     char text[64], *bytes;
     size_t size;
-    mus__piece_cut_text(&sheet->pieces[0], text, sizeof text);
+    mus__piece_cut_text(&sheet->pieces[0], 0, text, sizeof text);
     ck_assert_str_eq(text, "Cut 1 on fold");
     ck_assert_int_eq(mus_sheet_write_dxf_bytes(sheet, NULL, &bytes, &size), MUS_ERR_ARG);
     mus_sheet_destroy(sheet);

@@ -26,7 +26,7 @@ def sample(tmp_path_factory):
     missing = [str(a) for a in archives if not a.exists()]
     assert not missing, f"not built: {' '.join(missing)}"
     program = tmp_path_factory.mktemp("sample") / "sample_print"
-    cairo = subprocess.run(["pkg-config", "--libs", "cairo"], capture_output=True, text=True, check=True).stdout.split()
+    cairo = subprocess.run(["pkg-config", "--libs", "cairo", "pangocairo"], capture_output=True, text=True, check=True).stdout.split()
     flags = ["-fsanitize=address,undefined"] if "sanitize" in str(LIB) else ["--coverage"] if "coverage" in str(LIB) else []
     subprocess.run([*os.environ.get("CC", "cc").split(), "-std=c11", *flags, "-I", ROOT / "include", "-I", HERE,
                     HERE / "sample_print.c", *archives, *cairo, "-lm", "-pthread", "-o", program], check=True)

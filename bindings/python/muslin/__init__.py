@@ -28,6 +28,7 @@ from .errors import MuslinError
 from .exchange import Mesh, read_obj, write_glb, write_glb_motion, write_mesh, write_obj
 from .fit import Fit
 from .integrate import integrate
+from .language import languages, translate, words
 from .layout import Layout
 from .manifold import Manifold
 from .pattern import Pattern
@@ -40,6 +41,6 @@ from .view import View
 
 __all__ = ["Body", "Catalogue", "Cloth", "Context", "Drape", "Dressed", "FOOT_LEFT", "FOOT_RIGHT", "Fabric", "Fit",
            "Layout", "Manifold", "Mesh", "Move", "MuslinError", "Pattern", "Pose", "Sheet", "Tape", "View", "arrange", "axes",
-           "designs", "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "measures", "moves",
-           "pattern_reason", "png_bytes", "poses", "read_obj", "render", "scan", "sizes", "spell", "version",
-           "write_glb", "write_glb_motion", "write_mesh", "write_obj", "__version__"]
+           "designs", "draft", "dress", "ease", "fabrics", "grade", "integrate", "joint_limits", "languages", "measures",
+           "moves", "pattern_reason", "png_bytes", "poses", "read_obj", "render", "scan", "sizes", "spell", "translate",
+           "version", "words", "write_glb", "write_glb_motion", "write_mesh", "write_obj", "__version__"]

@@ -37,6 +37,7 @@ MUS_ERR_UNSETTLED = 17
 MUS_ERR_TANGLED = 18
 MUS_ERR_STOPPED = 19
 MUS_STATUS_COUNT = 20
+MUS_LANGUAGE_ENGLISH = 0
 MUS_SEX_UNSET = 0
 MUS_SEX_FEMALE = 1
 MUS_SEX_MALE = 2
@@ -635,7 +636,8 @@ mus_worn._fields_ = [("size", c_size_t), ("kind", c_int32), ("limb", c_int32), (
                      ("value", c_double), ("place", c_double * 3), ("through", c_int32), ("through_depth", c_double),
                      ("through_area", c_double), ("through_place", c_double * 3), ("text", c_char * 256)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
-                          ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32)]
+                          ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32),
+                          ("language", c_char_p)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
                             ("mirrored", c_int32), ("fold", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
                             ("box", c_double * 4), ("size_index", c_int32), ("materials", c_int32 * 8)]
@@ -677,6 +679,15 @@ FUNCTIONS = {
     "mus_context_fail": ("core", c_int32, [POINTER(mus_context), c_int32, c_char_p]),
     "mus_context_alloc": ("core", c_void_p, [POINTER(mus_context), c_void_p, c_size_t]),
     "mus_context_log": ("core", None, [POINTER(mus_context), c_int32, c_char_p]),
+    "mus_language_count": ("core", c_int32, []),
+    "mus_language_tag": ("core", c_char_p, [c_int32]),
+    "mus_language_name": ("core", c_char_p, [c_int32]),
+    "mus_language_is_right_to_left": ("core", c_int32, [c_int32]),
+    "mus_language_find": ("core", c_int32, [c_char_p]),
+    "mus_language_row_count": ("core", c_int32, []),
+    "mus_language_row_key": ("core", c_char_p, [c_int32]),
+    "mus_language_text": ("core", c_char_p, [c_int32, c_char_p]),
+    "mus_language_compose": ("core", c_int32, [c_int32, c_char_p, c_char_p, c_char_p, c_size_t]),
     "mus_measure_count": ("core", c_int32, []),
     "mus_measure_name": ("core", c_char_p, [c_int32]),
     "mus_measure_unit": ("core", c_int32, [c_int32]),
@@ -1105,6 +1116,9 @@ FUNCTIONS = {
     "mus_pattern_write_instructions": ("print", c_int32, [POINTER(mus_pattern), c_char_p, c_char_p]),
     "mus_pattern_write_instructions_bytes": ("print", c_int32, [POINTER(mus_pattern), c_char_p, POINTER(c_char_p),
                                                                 POINTER(c_size_t)]),
+    "mus_pattern_write_instructions_in": ("print", c_int32, [POINTER(mus_pattern), c_char_p, c_char_p, c_char_p]),
+    "mus_pattern_write_instructions_in_bytes": ("print", c_int32, [POINTER(mus_pattern), c_char_p, c_char_p,
+                                                                   POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_layout_write_svg": ("print", c_int32, [POINTER(mus_layout), c_char_p]),
     "mus_layout_write_svg_bytes": ("print", c_int32, [POINTER(mus_layout), POINTER(c_char_p), POINTER(c_size_t)]),
     "mus_sheet_dxf_init": ("print", None, [POINTER(mus_sheet_dxf), c_size_t]),

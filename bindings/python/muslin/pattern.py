@@ -110,14 +110,15 @@ class Pattern(Topology, Edits, Valued):
         """The bytes that write_svg() would write."""
         return taken_bytes(self.context, "mus_pattern_write_svg_bytes", self.handle)
 
-    def write_instructions(self, path: PathLike, title: str | None = None) -> None:
+    def write_instructions(self, path: PathLike, title: str | None = None, language: str | None = None) -> None:
         """Write how the pattern is sewn, as plain text: pieces, notions, and the steps in their order. title: the first
-        line, default the name of the pattern."""
-        self.context.call("mus_pattern_write_instructions", self.handle, text(title), text(path))
+        line, default the name of the pattern. language: "de", "pt_BR" ..., default English."""
+        self.context.call("mus_pattern_write_instructions_in", self.handle, text(language), text(title), text(path))
 
-    def instructions(self, title: str | None = None) -> str:
+    def instructions(self, title: str | None = None, language: str | None = None) -> str:
         """The text that write_instructions() would write."""
-        return taken_bytes(self.context, "mus_pattern_write_instructions_bytes", self.handle, text(title)).decode()
+        return taken_bytes(self.context, "mus_pattern_write_instructions_in_bytes", self.handle, text(language),
+                           text(title)).decode()
 
     def propose_seams(self) -> list[tuple[int, int, bool, float]]:
         """Seams for a pattern without: (edge a, edge b, in the best sewing?, confidence 0 to 1), the surest first; then

@@ -5,7 +5,7 @@
 use std::{env, fmt::Write, fs, path::PathBuf, process::Command};
 
 const PARTS: [(&str, &[&str]); 3] =
-    [("print", &["cairo"]), ("exchange", &["jansson", "yaml", "expat"]), ("catalogue", &["sqlite3"])];
+    [("print", &["pangocairo-1.0", "pango-1.0", "gobject-2.0", "cairo"]), ("exchange", &["jansson", "yaml", "expat"]), ("catalogue", &["sqlite3"])];
 
 fn pkg_config(variable: &str) -> Option<PathBuf> {
     let found = Command::new("pkg-config").arg(format!("--variable={variable}")).arg("muslin").output().ok()?;

@@ -1,5 +1,5 @@
 /*
- * cairo.h: the part of cairo's interface that lib/print/pdf.c uses, for a module without cairo. pdf_page.c writes the
+ * cairo.h: the part of cairo's interface that lib/paperfile/pdf.c uses, for a module without cairo. pdf_page.c writes the
  * PDF: pages of paths, uncompressed, and invisible text. Points, y down, as in cairo.
  */
 #ifndef MUSLIN_WEB_CAIRO_H

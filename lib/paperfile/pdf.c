@@ -12,8 +12,9 @@
 #include <string.h>
 
 #include "file/sink.h"
+#include "paperfile/pdf_layers.h"
+#include "print/lettering.h"
 #include "print/page.h"
-#include "print/pdf_layers.h"
 
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */
@@ -64,7 +65,9 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
         const mus__path *path = &drawing->paths[i];
         const mus__pen_style *style = &mus__pen_styles[path->pen];
         double w = 0.5 * style->width, dash[2] = {style->dash[0] * POINTS, style->dash[1] * POINTS};
-        if (path->nop == 0 || mus__path_layered(page->sheet, path)) continue;
+        /* text that is set in a font comes as text, unless it is too long */
+        const bool shown = path->text != MUS_NONE && drawing->texts[path->text].n <= PDF_TEXT;
+        if (path->nop == 0 || shown || mus__path_layered(page->sheet, path)) continue;
         if (window != NULL && (path->box[0] - w > window[2] || path->box[2] + w < window[0] ||
                                path->box[1] - w > window[3] || path->box[3] + w < window[1]))
             continue;
@@ -118,8 +121,25 @@ static cairo_font_face_t *pdf_font(void)
 }
 
 
-/* lay the texts that begin in the window (NULL: all) over their strokes, invisible. They are all upright: readers take
- * turned text apart into letters */
+/* show a text that is set in a font, on every page that its outline touches */
+static void pdf_text(const pdf_page *page, const mus__drawing *drawing, const mus__text *text, const char *letters,
+                     const double *window)
+{
+    const mus__path *path = &drawing->paths[text->path];
+    const double xy[2] = {(text->x - page->left) * POINTS, (page->top - text->y) * POINTS};
+    const double grey = mus__pen_styles[path->pen].grey;
+    const mus__text_style style = {text->height, text->cosine, text->sine, 0.0};
+    if (mus__path_layered(page->sheet, path)) return; /* its layer has the outline */
+    if (window != NULL && (path->box[0] > window[2] || path->box[2] < window[0] || path->box[1] > window[3] ||
+                           path->box[3] < window[1]))
+        return;
+    cairo_set_source_rgb(page->cairo, grey, grey, grey);
+    mus__lettering_show(drawing->lettering, page->cairo, letters, xy, text->height * POINTS, &style, text->bold);
+}
+
+
+/* lay the texts that begin in the window (NULL: all) over their strokes, invisible, and show those that are set in a
+ * font. Those over strokes are all upright: readers take turned text apart into letters */
 static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const double *window)
 {
     for (int32_t i = 0; i < drawing->ntext; i++) {
@@ -127,9 +147,11 @@ static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const d
         char letters[PDF_TEXT + 1];
         const bool on = window == NULL || (text->x >= window[0] && text->x <= window[2] && text->y >= window[1] &&
                                            text->y <= window[3]);
-        if (!on || text->n > PDF_TEXT) continue;
+        if (text->n > PDF_TEXT) continue;
         memcpy(letters, drawing->letters + text->at, (size_t)text->n);
         letters[text->n] = '\0';
+        if (text->path != MUS_NONE) pdf_text(page, drawing, text, letters, window);
+        if (!on || text->path != MUS_NONE) continue;
         const double size = text->height * POINTS;
         cairo_set_font_size(page->cairo, size);
         cairo_move_to(page->cairo, (text->x - page->left) * POINTS, (page->top - text->y) * POINTS);
@@ -143,7 +165,7 @@ static mus_status pdf_cover(cairo_surface_t *surface, cairo_t *cairo, const mus_
 {
     double size[2];
     mus__drawing drawing;
-    mus__draw_init(&drawing, sheet->context);
+    mus__sheet_draw_init(sheet, &drawing);
     mus__cover_size(sheet, size);
     mus__cover_draw(sheet, &drawing);
     mus_status status = drawing.status;
@@ -163,7 +185,7 @@ static mus_status pdf_tile(cairo_surface_t *surface, cairo_t *cairo, const mus_s
 {
     double box[4], margin = sheet->def.margin;
     mus__drawing drawing;
-    mus__draw_init(&drawing, sheet->context);
+    mus__sheet_draw_init(sheet, &drawing);
     mus__tile_draw(sheet, tile, &drawing);
     mus_status status = drawing.status;
     if (status == MUS_OK) {

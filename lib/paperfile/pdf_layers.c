@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "print/pdf_layers.h"
+#include "paperfile/pdf_layers.h"
 
 #define POINTS (72.0 / 0.0254) /* [points/m] PostScript points in a metre */
 #define ROOT_TAIL 64 /* [bytes] looked at behind a key; chosen: a reference has at most 25 */

@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include "file/sink.h"
+#include "paperfile/pdf_layers.h"
 #include "print/page.h"
-#include "print/pdf_layers.h"
 
 #define SVG_GAP 0.005 /* [m] distance of the sheet from the test squares below it; chosen: they touch no piece */
 
@@ -138,7 +138,7 @@ static void svg_piece(mus__sink *bytes, const mus_sheet *sheet, int32_t index)
 static mus_status svg_scale(mus__sink *bytes, const mus_sheet *sheet)
 {
     mus__drawing drawing;
-    mus__draw_init(&drawing, sheet->context);
+    mus__sheet_draw_init(sheet, &drawing);
     if (sheet->cover) mus__squares_draw(&drawing, 0.0, -SVG_GAP - MUS__SQUARES);
     else mus__squares_draw(&drawing, sheet->squares[0], sheet->squares[1]);
     mus__sink_print(bytes, "<g id=\"scale\">\n");

@@ -1,8 +1,8 @@
 /*
  * pdf_layers.h: the sizes of a sheet as layers of its PDF.
  */
-#ifndef MUS_PRINT_PDF_LAYERS_H
-#define MUS_PRINT_PDF_LAYERS_H
+#ifndef MUS_PAPERFILE_PDF_LAYERS_H
+#define MUS_PAPERFILE_PDF_LAYERS_H
 
 #include "file/sink.h"
 #include "print/sheet.h"

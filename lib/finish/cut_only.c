@@ -73,24 +73,31 @@ static void cut_armhole(mus__cut_only *job, const mus__style *style)
 }
 
 
-/* height of the front waistband [m]; 0 without one */
+/* height of the waistband, that of its ends at the side [m]; 0 without one */
 static double cut_band(const mus__cut_only *job)
 {
-    const int32_t band = mus_pattern_find_panel(job->pattern, "band_front");
-    const int32_t end = mus_pattern_find_edge(job->pattern, band, "end");
-    return end != MUS_NONE ? mus_pattern_edge_length(job->pattern, end) : 0.0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
+        const char *part = mus_pattern_panel_label(job->pattern, mus_pattern_edge_panel(job->pattern, i));
+        if ((strcmp(part, "band") == 0 || strcmp(part, "elastic") == 0) &&
+            strcmp(mus_pattern_edge_label(job->pattern, i), "side") == 0)
+            return mus_pattern_edge_length(job->pattern, i);
+    }
+    return 0.0;
 }
 
 
-/* A fly facing of 4 by 18 cm, long enough for the hips to pass; a shield of 4.5 cm, folded, that lies under it; and a
+/* A fly facing of 4 cm along the zip; a shield of 4.5 cm, folded, that lies under it; and a
  * strip for five belt loops of 1 cm. Each loop is as long as the band is high, with 1.5 cm turned in at both ends. All
  * sizes are chosen, for the scale of an adult. */
 static void cut_fly(mus__cut_only *job, const mus__style *style)
 {
+    const int32_t leg = mus_pattern_find_panel(job->pattern, "leg_front_left");
+    const int32_t zip = mus_pattern_find_edge(job->pattern, leg, "zip");
     const double cm = job->scale * MUS__CM, band = cut_band(job);
-    if (style->option[MUS__AXIS_CLOSURE] != MUS__CLOSURE_FRONT) return;
-    mus__cut_fly(job, 4.0 * cm, 18.0 * cm);
-    mus__cut_strip_add(job, &(mus__cut_strip){.name = "fly_shield", .label = "fly", .length = 18.0 * cm,
+    if (style->option[MUS__AXIS_CLOSURE] != MUS__CLOSURE_FRONT || zip == MUS_NONE) return;
+    mus__cut_fly(job, 4.0 * cm);
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "fly_shield", .label = "fly",
+                                              .length = mus_pattern_edge_length(job->pattern, zip),
                                               .width = 4.5 * cm, .turned = 4.5 * cm + MUS__SEAM_ALLOWANCE,
                                               .lengthwise = true, .material = MUS_MATERIAL_MAIN, .count = 1});
     if (band > 0.0)
@@ -131,7 +138,9 @@ static void cut_stand(mus__cut_only *job)
     for (int32_t i = 0; i < mus_pattern_seam_count(job->pattern); i++) {
         mus_seam_def seam;
         mus_seam_def_init(&seam, sizeof seam);
-        if (mus_pattern_seam(job->pattern, i, &seam) == MUS_OK && seam.closure == MUS_CLOSURE_BUTTONS)
+        if (mus_pattern_seam(job->pattern, i, &seam) != MUS_OK || seam.closure != MUS_CLOSURE_BUTTONS) continue;
+        const int32_t panel = mus_pattern_edge_panel(job->pattern, seam.edge_a);
+        if (strcmp(mus_pattern_panel_label(job->pattern, panel), "band") != 0)
             length += mus_pattern_edge_length(job->pattern, seam.edge_a);
     }
     mus__cut_strip_add(job, &(mus__cut_strip){.name = "button_stand", .label = "closure", .length = length,

@@ -39,7 +39,7 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip);
 /* Traces a facing of MUS__FACING along each run of edges with `label` of each panel that is no collar or hood, darts
  * closed; `ending` is added to the panel's name. */
 void mus__cut_facings(mus__cut_only *job, const char *label, const char *ending);
-/* Traces a fly facing of `width` along the edge "crotch" of the left front leg, `length` down from the waist [m]. */
-void mus__cut_fly(mus__cut_only *job, double width, double length);
+/* Traces a fly facing of `width` [m] along the edge "zip" of the left front leg. */
+void mus__cut_fly(mus__cut_only *job, double width);
 
 #endif

@@ -368,19 +368,19 @@ void mus__cut_facings(mus__cut_only *job, const char *label, const char *ending)
 }
 
 
-/* a fly: the centre front from the waist down, straight beside it, rounded to it over the last third */
-void mus__cut_fly(mus__cut_only *job, double width, double length)
+/* a fly: the zip's part of the centre front, straight beside it, rounded to it over the last third */
+void mus__cut_fly(mus__cut_only *job, double width)
 {
     facing f;
     const int32_t panel = mus_pattern_find_panel(job->pattern, "leg_front_left");
     if (job->status != MUS_OK || panel == MUS_NONE || !facing_read(job, panel, &f)) return;
     int32_t i = 0;
-    while (i < f.n && strcmp(mus_pattern_edge_name(job->pattern, f.edge[i]), "crotch") != 0) i++;
+    while (i < f.n && strcmp(mus_pattern_edge_name(job->pattern, f.edge[i]), "zip") != 0) i++;
     if (i == f.n) return;
     static const double still[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
     memcpy(f.turn, still, sizeof still);
     f.status = MUS_OK;
-    length = fmin(length, 0.7 * mus_pattern_edge_length(job->pattern, f.edge[i]));
+    const double length = mus_pattern_edge_length(job->pattern, f.edge[i]);
     enum { STEPS = 24 };
     double p[STEPS + 1][2], outer[STEPS][2];
     for (int32_t k = 0; k <= STEPS; k++) facing_at(&f, i, length * k / STEPS, p[k]);

@@ -64,15 +64,6 @@ static void tell_notions(mus__instructions *job)
         mus__tell_length(&job->sink, seam->length[0]);
         mus__sink_print(&job->sink, "\n");
     }
-    double fly = HUGE_VAL;
-    for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
-        if (strcmp(mus_pattern_panel_label(job->extra, i), "fly") == 0)
-            fly = fmin(fly, mus__tell_longest(job->extra, i));
-    if (fly < HUGE_VAL) {
-        mus__sink_print(notion(job, &any), "- a zip of ");
-        mus__tell_length(&job->sink, fly);
-        mus__sink_print(&job->sink, " for the fly\n");
-    }
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
         if (count == 0 || !mus__tell_printed(job->extra, i)) continue;
@@ -102,7 +93,14 @@ static void tell_preparation(mus__instructions *job)
     for (int32_t i = 0; i < 2 * job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i / 2];
         const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
-        if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0) {
+        const double other = mus_pattern_edge_allowance(job->pattern, seam->edge[1 - i % 2]);
+        if (seam->kind == MUS__SEWING_BUTTONS && allowance > other + 1e-6) {
+            /* the longer of two ends lies under the other: what a seam needs at both is not the underlap */
+            char words[MUS__WORDS];
+            mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[i % 2]), false, words);
+            mus__sink_print(&job->sink, "%d. The underlap of %s reaches %ld mm beyond its seam line: sew its end there.\n",
+                            (int)++job->number, words, lround(1e3 * (allowance - other)));
+        } else if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0 && !(other > allowance + 1e-6)) {
             char head[MUS__PHRASE], words[MUS__WORDS];
             mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
             snprintf(head, sizeof head, "Fold %ld mm at the %s to the wrong side and stitch", lround(1e3 * allowance),

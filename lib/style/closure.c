@@ -11,7 +11,6 @@
 #include "style/bodice.h"
 
 #define CLOSURE_ZIP (1.5 * MUS__CM)
-#define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
 
 
@@ -101,7 +100,7 @@ void mus__closure_finish(mus__half *half)
     mus__board *board = &half->board;
     const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);
     if (board->status != MUS_OK || lower || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SIDE)) return;
-    const double reach = 0.5 * CLOSURE_SIDE_ZIP * mus__measures_scale(&half->measures);
+    const double reach = 0.5 * MUS__ZIP * mus__measures_scale(&half->measures);
     const int32_t nside = board->nside;
     for (int32_t i = 0; i < nside; i++) {
         const mus__board_side *side = &board->side[i];

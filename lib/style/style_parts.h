@@ -38,6 +38,10 @@ void mus__trousers_attach(mus__half *half);
 
 /* waistband.c: waistband or facing of a skirt or trousers */
 void mus__band_attach(mus__half *half);
+/* waist_opening.c: after mus__board_double(): the zip of skirts and trousers, sides "zip", and the ends of the band above
+ * it, sides "open", of which one gets its underlap */
+void mus__waist_close(mus__half *half);
+
 /* pocket.c: marks of patch pockets on the half; their panels on the whole garment, after mus__board_double() */
 void mus__pocket_attach(mus__half *half);
 void mus__pocket_finish(mus__half *half);

@@ -702,13 +702,17 @@ def needed(axes):
     if axes["garment"] in ("skirt", "trousers"):
         band = at("band", "straight")
         if band in ("straight", "contour"):
-            need.append((f"waist: {band} band, front", "band_front", {"main": 2, "interfacing": 1}))
-            need.append((f"waist: {band} band, back", "band_back", {"main": 2, "interfacing": 1}))
+            need.append((f"waist: {band} band, front", "band_front(_left)?", {"main": 2, "interfacing": 1}))
+            need.append((f"waist: {band} band, back", "band_back(_left)?", {"main": 2, "interfacing": 1}))
         elif band == "elastic":
             need.append(("waist: elastic in its casing", "band_front", {"main": 1}))
             need.append(("waist: elastic, its length", "elastic", {"elastic": 1}))
         elif band == "facing":
-            need.append(("waist: faced, or a narrow band", ".*_waist_facing|band_front", {"main": 1, "interfacing": 1}))
+            need.append(("waist: faced, or a narrow band", ".*_waist_facing|band_front(_left)?", {"main": 1, "interfacing": 1}))
+        if at("closure", "none") != "none" and band != "elastic":
+            need.append(("closure: a zip below the waist", "seam zip", {"seam": 1}))
+            if band in ("straight", "contour"):
+                need.append(("closure: the band opens, with an underlap", "mark underlap", {"mark": 1}))
     if axes["garment"] == "trousers" and at("closure") == "front":
         need.append(("closure: fly", "fly_facing", {"main": 1, "interfacing": 1}))
         need.append(("closure: fly", "fly_shield", {"main": 1}))
@@ -720,8 +724,10 @@ def needed(axes):
 
 
 def needs(axes, pattern):
-    """[(row, pieces, name of one that is there or None)] of a pattern file."""
-    cut = {}
+    """[(row, pieces, name of one that is there or None)] of a pattern file. Marks and closures count as pieces: "mark
+    slit", "seam zip"."""
+    cut = {f"mark {m['name']}": {"mark": 1} for m in pattern.get("marks", [])}
+    cut.update({f"seam {seam['closure']}": {"seam": 1} for seam in pattern["seams"] if "closure" in seam})
     for part in (pattern, pattern.get("cut_only", {"panels": []})):
         for panel in part["panels"]:
             if panel.get("mirror_of") is None:

@@ -74,6 +74,7 @@ static void design_make(mus__half *half)
     if (waist) mus__board_opening_add(&half->board, "waist");
     const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
     for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, block ? "waist" : "hem");
+    if (!block) mus__closure_folds(half);
     mus__board_match_notches(&half->board);
     mus__board_double(&half->board);
     mus__closure_finish(half);

@@ -95,9 +95,10 @@ static void tell_preparation(mus__instructions *job)
         const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
         const double other = mus_pattern_edge_allowance(job->pattern, seam->edge[1 - i % 2]);
         if (seam->kind == MUS__SEWING_BUTTONS && allowance > other + 1e-6) {
+            if (seam->family != i / 2) continue; /* left and right alike */
             /* the longer of two ends lies under the other: what a seam needs at both is not the underlap */
             char words[MUS__WORDS];
-            mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[i % 2]), false, words);
+            mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[i % 2]), seam->twins > 1, words);
             mus__sink_print(&job->sink, "%d. The underlap of %s reaches %ld mm beyond its seam line: sew its end there.\n",
                             (int)++job->number, words, lround(1e3 * (allowance - other)));
         } else if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0 && !(other > allowance + 1e-6)) {

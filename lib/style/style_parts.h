@@ -18,6 +18,8 @@ void mus__neck_band_attach(mus__half *half);
 /* cape.c: front and back of a cape with their neck runs, sewn on the shoulders; without collar */
 void mus__cape_draft(mus__half *half);
 
+/* closure.c: on the half: notches where a fold meets a seam or an edge that is faced, double behind, single in front */
+void mus__closure_folds(mus__half *half);
 /* closure.c: after mus__board_double(): closures of the centre seams, the ends of a zip in the left side seam */
 void mus__closure_finish(mus__half *half);
 

@@ -125,18 +125,6 @@ static void band_stay(mus__half *half, int32_t side, double level)
 }
 
 
-/* notches where a fold of the panels below meets the waist: double behind, single in front */
-static void band_notches(mus__half *half, int32_t n, const int32_t *waist)
-{
-    mus__board *board = &half->board;
-    const int32_t behind = waist[0], before = waist[n - 1];
-    if (board->side[board->side[behind].prev].centre == MUS__CENTRE_FOLD)
-        mus__board_notch_add(board, behind, 0.0, MUS_NOTCH_DOUBLE);
-    if (board->side[board->side[before].next].centre == MUS__CENTRE_FOLD)
-        mus__board_notch_add(board, before, board->side[before].length, MUS_NOTCH_SINGLE);
-}
-
-
 void mus__band_attach(mus__half *half)
 {
     mus__board *board = &half->board;
@@ -173,7 +161,6 @@ void mus__band_attach(mus__half *half)
     const int32_t low[2] = {mus__board_find(board, front, "low"), mus__board_find(board, back, "low")};
     mus__board_sew(board, 2, low, n, waist);
     if (board->status != MUS_OK) return;
-    band_notches(half, n, waist);
     const double level = mus__lower_level(half) + plan.height;
     band_stay(half, mus__board_find(board, front, "top"), level);
     band_stay(half, mus__board_find(board, back, "top"), level);

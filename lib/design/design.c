@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "board/board_notch.h"
+#include "closure/closure.h"
 #include "design/draft.h"
 #include "design/words.h"
 #include "finish/cut_only.h"

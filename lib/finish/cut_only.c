@@ -6,8 +6,8 @@
  *   armhole    without a sleeve: of a knit a band of rib, else facings
  *   waist      band=facing: facings
  *   fly        trousers that open in front: fly facing and shield; with a band also belt loops
- *   pocket     a pocket that is marked on a panel and is no panel itself: a patch; of trousers with patches also the bags
- *              and facings of front pockets
+ *   pocket     a pocket that is marked on a panel and is no panel itself: a patch; of trousers with patches also the
+ *              bags and facings of front pockets
  *   collar     an under-collar
  *   slit       a placket for each slit of a sleeve
  *   buttons    interfacing of the button stand

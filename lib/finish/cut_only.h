@@ -2,8 +2,8 @@
  * cut_only.h: what the files of the panels that are cut and sewn but not draped share.
  *
  * cut_only.c chooses the panels by the words of a style. cut_only_facing.c traces facings and the fly from the edges of
- * the drafted panels, cut_only_collar.c under-collars, cut_only_pocket.c front pockets; cut_only_strip.c draws rectangles,
- * cut_only_shape.c panels of chords. lib/design calls mus__cut_only_make() at the end of a draft.
+ * the drafted panels, cut_only_collar.c under-collars, cut_only_pocket.c front pockets; cut_only_strip.c draws
+ * rectangles, cut_only_shape.c panels of chords. lib/design calls mus__cut_only_make() at the end of a draft.
  */
 #ifndef MUS_CUT_ONLY_H
 #define MUS_CUT_ONLY_H
@@ -42,7 +42,7 @@ typedef struct mus__cut_shape_side {
     int32_t last;     /* point at its end */
 } mus__cut_shape_side;
 
-/* a panel of chords, counter-clockwise: its points, and the edges that end at some of them; the last ends at the first */
+/* a panel of chords, counter-clockwise: its points, and the edges that end at some of them, the last at the first */
 typedef struct mus__cut_shape {
     const char *label;
     double grain[2];
@@ -58,8 +58,8 @@ mus_status mus__cut_only_make(const mus__style *style, double scale, mus_pattern
 
 void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip);
 
-/* Begins a shape at a point; goes to the next point; makes the points since the last edge an edge. Names and labels live
- * as long as the shape. */
+/* Begins a shape at a point; goes to the next point; makes the points since the last edge an edge. Names and labels
+ * live as long as the shape. */
 void mus__cut_shape_begin(mus__cut_shape *shape, const char *label, double x, double y);
 void mus__cut_shape_to(mus__cut_shape *shape, double x, double y);
 void mus__cut_shape_edge(mus__cut_shape *shape, const char *name, const char *label, double allowance);

@@ -2,8 +2,9 @@
  * cut_only_collar.c: under-collars: the collar with its outer edge drawn in, so that the seam rolls to the underside.
  *
  * The edges of a collar that are sewn to nothing are its outer edge. The under-collar has them 3 mm further in, less
- * towards the neck, where both layers are as long as each other. A stand below a leaf has hardly an outer edge: both its
- * layers are alike. Source: Fasanella, A tale and tutorial of three collars: 1/8 inch, tapering to zero at the neck.
+ * towards the neck, where both layers are as long as each other. A stand below a leaf has hardly an outer edge: both
+ * its layers are alike. Source: Fasanella, A tale and tutorial of three collars: 1/8 inch, tapering to zero at the
+ * neck.
  */
 #include <math.h>
 #include <stdio.h>

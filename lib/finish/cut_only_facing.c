@@ -134,7 +134,8 @@ static void facing_notches(facing *f, int32_t i)
         double s;
         f->status = mus_pattern_notch(f->pattern, k, &edge, &s, &kind);
         if (f->status == MUS_OK && edge == f->edge[i])
-            f->status = mus_pattern_add_notch(f->made, made, fmax(0.0, f->direction[i] < 0 ? length - s : s), kind, NULL);
+            f->status = mus_pattern_add_notch(f->made, made, fmax(0.0, f->direction[i] < 0 ? length - s : s), kind,
+                                              NULL);
     }
 }
 

@@ -2,11 +2,11 @@
  * cut_only_pocket.c: the front pockets of trousers: where the front is cut away at the side, the facing of the same
  * cloth that fills the place, and the bag.
  *
- *      centre ------ W ===== S      S the corner of waist and side; W, B ends of the opening, a line on the front leg.
- *             |      |  \\   |      The facing reaches under the front, the bag to the hand's depth; both have the waist
- *             |      |   `\\ B      and the side of the leg, and are drawn as mirrored pairs.
- *             |   bag `---.. |
- *              `-----------' |
+ *      centre ------ W ===== S     S is the corner of waist and side; W to B the opening, a line on the leg. The facing
+ *             |      |  \    |     reaches under the front, the bag to the hand's depth; both have the waist and the
+ *             |      |   `-- B     side of the leg, and are drawn as mirrored pairs.
+ *             |   bag        |
+ *              `------------'
  *
  * Two of the four bags are cut away along the opening as the front is. Method: FreeSewing 4 (charlie), Aldrich 2008.
  */
@@ -148,7 +148,8 @@ void mus__cut_front_pocket(mus__cut_only *job, mus_pattern *pattern)
     mus__cut_shape_pair(job, &shape, "pocket_bag", MUS_MATERIAL_LINING, 2);
     if (job->status == MUS_OK) job->status = leg.status;
     for (int32_t i = 0; i < 4 && job->status == MUS_OK; i++) {
-        const int32_t panel = i < 2 ? legs[i] : mus_pattern_find_panel(job->made, i == 2 ? "pocket_bag_left" : "pocket_bag_right");
+        static const char *const bags[2] = {"pocket_bag_left", "pocket_bag_right"};
+        const int32_t panel = i < 2 ? legs[i] : mus_pattern_find_panel(job->made, bags[i - 2]);
         if (panel != MUS_NONE)
             job->status = mus_pattern_add_mark(i < 2 ? pattern : job->made, panel, "pocket opening", POCKET_CHORDS + 1,
                                                i % 2 == 0 ? line[0] : mirrored[0], NULL);

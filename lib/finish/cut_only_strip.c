@@ -32,7 +32,8 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
     if (job->status == MUS_OK)
         job->status = mus_pattern_set_material(job->made, panel, strip->material, strip->count);
     for (int32_t i = 0; i < strip->nnotch && job->status == MUS_OK; i++)
-        job->status = mus_pattern_add_notch(job->made, edge[0], strip->notch[i] * strip->length, MUS_NOTCH_SINGLE, NULL);
+        job->status = mus_pattern_add_notch(job->made, edge[0], strip->notch[i] * strip->length, MUS_NOTCH_SINGLE,
+                                            NULL);
     if (job->status == MUS_OK && strip->interfaced)
         job->status = mus_pattern_set_material(job->made, panel, MUS_MATERIAL_INTERFACING, 1);
 }

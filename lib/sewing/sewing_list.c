@@ -95,7 +95,8 @@ int32_t mus__tell_layer(const mus_pattern *pattern, int32_t panel)
     for (int32_t i = 0; i < mus_pattern_panel_count(extra); i++) {
         const char *name = mus_pattern_panel_name(extra, i);
         const size_t n = strlen(name), m = strlen(own);
-        if (strcmp(mus_pattern_panel_label(extra, i), "layer") == 0 && n > m && strcmp(name + n - m, own) == 0) return i;
+        const bool layer = strcmp(mus_pattern_panel_label(extra, i), "layer") == 0;
+        if (layer && n > m && strcmp(name + n - m, own) == 0) return i;
     }
     return MUS_NONE;
 }

@@ -99,7 +99,8 @@ static void tell_preparation(mus__instructions *job)
             /* the longer of two ends lies under the other: what a seam needs at both is not the underlap */
             char words[MUS__WORDS];
             mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[i % 2]), seam->twins > 1, words);
-            mus__sink_print(&job->sink, "%d. The underlap of %s reaches %ld mm beyond its seam line: sew its end there.\n",
+            mus__sink_print(&job->sink,
+                            "%d. The underlap of %s reaches %ld mm beyond its seam line: sew its end there.\n",
                             (int)++job->number, words, lround(1e3 * (allowance - other)));
         } else if (seam->kind == MUS__SEWING_BUTTONS && allowance > 0.0 && !(other > allowance + 1e-6)) {
             char head[MUS__PHRASE], words[MUS__WORDS];

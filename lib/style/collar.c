@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "closure/closure.h"
 #include "style/collar.h"
 
 
@@ -82,23 +83,6 @@ static int32_t collar_stand(mus__half *half, mus__neck *neck, double height, dou
 }
 
 
-/* the end of a stand, side 1 of sides (4), laps over the centre front as the fronts do: its allowance has the button stand,
- * with the line where the end is sewn and the button */
-static void collar_button(mus__half *half, const int32_t *sides)
-{
-    mus__board *board = &half->board;
-    const double *p = mus__board_start(board, sides[1]), *q = mus__board_end(board, sides[1]);
-    const double height = board->side[sides[1]].length, lap = MUS__BUTTON_STAND;
-    const double x = lap * (q[1] - p[1]) / height, y = lap * (p[0] - q[0]) / height;
-    const double line[4] = {p[0] + x, p[1] + y, q[0] + x, q[1] + y};
-    const double button[2] = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
-    const int32_t panel = board->side[sides[1]].panel;
-    board->side[sides[1]].attr.allowance = MUS__COLLAR_SEAM + lap;
-    mus__board_mark_add(board, panel, "stand end", 2, line);
-    mus__board_mark_add(board, panel, "button", 1, button);
-}
-
-
 /* stand and leaf; the leaf starts turned down outside the stand, both so high that the body's panels pass below it */
 static void collar_shirt(mus__half *half, mus__neck *neck)
 {
@@ -110,7 +94,10 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     int32_t sides[4], leaf_sides[4];
     collar_stand(half, neck, height, fall, &stand, sides);
     if (board->status != MUS_OK) return;
-    collar_button(half, sides);
+
+    /* the ends of the stand lap over the centre front as the fronts do */
+    mus__closure_button(board, sides[1], 0.0, "button");
+    mus__closure_lap(board, sides[1], MUS__BUTTON_STAND, "stand end");
     const mus__leaf_def def = {.length = stand.top_length, .fall = fall,
                                .point = 7.0 * k * MUS__CM, .rise = -1.0 * k * MUS__CM};
     board->status = mus__leaf_draft(half->context, &def, &leaf);

@@ -10,6 +10,7 @@
  */
 #include <string.h>
 
+#include "closure/closure.h"
 #include "style/sleeve.h"
 
 #define CUFF_SIDES 8
@@ -54,20 +55,16 @@ static void cuff_slit(mus__half *half, int32_t n, const int32_t *sides)
 }
 
 
-/* the end behind lies under: its allowance has the underlap, with the line where the end is sewn; a button at both */
-static void cuff_opens(mus__half *half, int32_t panel, int32_t seam, int32_t under, const double *corner)
+/* opens a cuff at the seam of its ends: that behind lies under */
+static void cuff_opens(mus__half *half, int32_t seam, int32_t over, int32_t under)
 {
     mus__board *board = &half->board;
-    const double lap = CUFF_LAP * mus__measures_scale(&half->measures), x = corner[2], low = corner[1];
-    const double line[4] = {x + lap, low, x + lap, corner[5]}, middle = 0.5 * (low + corner[5]);
-    const double button[2][2] = {{corner[0] + 0.5 * lap, middle}, {x + 0.5 * lap, middle}};
+    const double lap = CUFF_LAP * mus__measures_scale(&half->measures);
     if (board->status != MUS_OK) return;
     board->seam[seam].closure = MUS_CLOSURE_BUTTONS;
-    board->seam[seam].buttons = 0;
-    board->side[under].attr.allowance = lap + MUS__SEAM_ALLOWANCE;
-    mus__board_mark_add(board, panel, "underlap", 2, line);
-    mus__board_mark_add(board, panel, "buttonhole", 1, button[0]);
-    mus__board_mark_add(board, panel, "button", 1, button[1]);
+    mus__closure_lap(board, under, lap, "underlap");
+    mus__closure_button(board, under, 0.5 * lap, "button");
+    mus__closure_button(board, over, -0.5 * lap, "buttonhole");
 }
 
 
@@ -112,7 +109,7 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     const int32_t ends = mus__board_seam_add(board, side[3], side[1], MUS_SEAM_REVERSED, 0.0);
     if (!rib && cuff_long(half)) {
         cuff_slit(half, n, sides);
-        cuff_opens(half, panel, ends, side[1], corner[0]);
+        cuff_opens(half, ends, side[3], side[1]);
     }
     for (int32_t i = 0; i < n; i++) board->side[sides[i]].attr.allowance = MUS__SEAM_ALLOWANCE;
     mus__board_sew(board, 1, &side[2], n, sides);

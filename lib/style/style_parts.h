@@ -18,11 +18,6 @@ void mus__neck_band_attach(mus__half *half);
 /* cape.c: front and back of a cape with their neck runs, sewn on the shoulders; without collar */
 void mus__cape_draft(mus__half *half);
 
-/* closure.c: on the half: notches where a fold meets a seam or an edge that is faced, double behind, single in front */
-void mus__closure_folds(mus__half *half);
-/* closure.c: after mus__board_double(): closures of the centre seams, the ends of a zip in the left side seam */
-void mus__closure_finish(mus__half *half);
-
 /* sleeve.c: the sleeve with its cuff, drafted to the lengths of the armhole, sewn in and placed round the arm; raglan
  * and dolman sleeves recut front and back */
 void mus__sleeve_attach(mus__half *half);
@@ -40,10 +35,6 @@ void mus__trousers_attach(mus__half *half);
 
 /* waistband.c: waistband or facing of a skirt or trousers */
 void mus__band_attach(mus__half *half);
-/* waist_opening.c: after mus__board_double(): the zip of skirts and trousers, sides "zip", and the ends of the band above
- * it, sides "open", of which one gets its underlap */
-void mus__waist_close(mus__half *half);
-
 /* pocket.c: marks of patch pockets on the half; their panels on the whole garment, after mus__board_double() */
 void mus__pocket_attach(mus__half *half);
 void mus__pocket_finish(mus__half *half);

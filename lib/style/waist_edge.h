@@ -42,14 +42,6 @@ double mus__lower_snap(const mus__half *half, bool front, double s, double reach
 /* Sews the waist of the panels from `first` on to the waist of the bodice, if there is one. */
 void mus__lower_waist_sew(mus__half *half, int32_t first);
 
-/* ---- waist_opening.c: the waist from centre back to centre front, half-edges waist (n) ---- */
-
-/* Where skirt or trousers open: MUS__CLOSURE_FRONT, BACK or SIDE, or NONE. A centre line that is a fold does not open:
- * SIDE instead. */
-int32_t mus__waist_opens(const mus__half *half, int32_t n, const int32_t *waist);
-/* Splits the seam that opens at the end of its zip; the part at the waist is called "zip". */
-void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist);
-
 /* ---- skirts: each draws its panels on the board of the half and sews all but their waist ---- */
 
 double mus__skirt_length(const mus__half *half);

@@ -7,11 +7,11 @@
  *
  *   angle = (l1 - l0) / h, radii l0 / angle and l1 / angle of lower and upper edge
  *
- * A band is on the fold at both centres, but for the place where the garment opens (waist_opening.c): there it has two
- * ends. A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is eased, gathered or
- * pleated into it. A facing lies inside and is not draped: lib/finish traces it from the waist. A waist that is
- * gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
- * mus_design(3).
+ * A band is on the fold at both centres, but for the place where the garment opens (closure/waist_opening.c): there it
+ * has two ends. A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is
+ * eased, gathered or pleated into it. A facing lies inside and is not draped: lib/finish traces it from the waist. A
+ * waist that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man
+ * page mus_design(3).
  *
  * A band is cut twice, an outer and an inner layer, and once of interfacing. The casing of an elastic is cut once and
  * turned in along its upper edge, whose allowance is the inner layer.
@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "closure/closure.h"
 #include "style/waist_edge.h"
 
 #define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */

@@ -95,8 +95,8 @@ static double eased(const mus_pattern *pattern)
 }
 
 
-/* each end of the band's opening stands on the seam of the zip: the zip's edge, the waist edge beside it, the band's edge
- * sewn to that, and the end beside this one */
+/* each end of the band's opening stands on the seam of the zip: the zip's edge, the waist edge beside it, the band's
+ * edge sewn to that, and the end beside this one */
 static void meets(const char *name, const mus_pattern *pattern, const mus_seam_def *zip, const mus_seam_def *band)
 {
     for (int32_t k = 0; k < 2; k++) {

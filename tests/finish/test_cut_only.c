@@ -143,13 +143,14 @@ static int32_t notches_of(const mus_pattern *pattern, int32_t edge, int32_t kind
 }
 
 
-/* over all designs: what is sewn on has the notches of its edge, and the ends of facings are sewn where their edges are */
+/* over all designs: what is sewn on has the notches of its edge; the ends of facings are sewn as their edges are */
 START_TEST(what_is_sewn_on_has_the_notches_of_its_edge)
 {
     mus_context *context = support_context();
     int32_t notched = 0, sewn = 0;
     for (int32_t d = 0; d < mus_design_count(); d++) {
-        mus_pattern *pattern = drafts_pattern(context, mus_design_name(d), (mus_design_groups(d) & 1) ? "W40" : "M50");
+        const char *size = (mus_design_groups(d) & MUS_GROUP_WOMEN) != 0 ? "W40" : "M50";
+        mus_pattern *pattern = drafts_pattern(context, mus_design_name(d), size);
         const mus_pattern *made = mus_pattern_cut_only(pattern);
         for (int32_t e = 0; made != NULL && e < mus_pattern_edge_count(made); e++) {
             const char *label = mus_pattern_panel_label(made, mus_pattern_edge_panel(made, e));

@@ -1,15 +1,17 @@
 /*
- * closure.c: the centre lines of a top: a fold, a closure drawn done up, or a plain seam.
+ * closure.c: the centre lines of a top: a fold, a closure drawn done up, or a plain seam; and what goes on beyond a
+ * seam line.
  *
  * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
  * which a cloth can leave open. The part beyond the centre is allowance: a button stand of 1.75 cm, turned under by as
- * much and 1 cm more. Buttons and the ends of a side zip are marked. Where a fold meets an edge that is sewn or faced, a
- * notch shows the centre. Method: FreeSewing 4 (simon).
+ * much and 1 cm more. Buttons and the ends of a side zip are marked. Where a fold meets an edge that is sewn or faced,
+ * a notch shows the centre. Method: FreeSewing 4 (simon).
  */
 #include <math.h>
 #include <string.h>
 
-#include "style/bodice.h"
+#include "base/elementary.h"
+#include "closure/closure.h"
 
 #define CLOSURE_ZIP (1.5 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
@@ -134,6 +136,27 @@ static void closure_seams(mus__half *half)
         if (strncmp(panel, "back", 4) == 0 && mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_BACK))
             seam->closure = MUS_CLOSURE_ZIP;
     }
+}
+
+
+void mus__closure_button(mus__board *board, int32_t side, double out, const char *mark)
+{
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double part = out / mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double xy[2] = {0.5 * (p[0] + q[0]) + part * (q[1] - p[1]), 0.5 * (p[1] + q[1]) + part * (p[0] - q[0])};
+    if (board->status == MUS_OK) mus__board_mark_add(board, board->side[side].panel, mark, 1, xy);
+}
+
+
+void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark)
+{
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double part = lap / mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double x = part * (q[1] - p[1]), y = part * (p[0] - q[0]);
+    const double line[4] = {p[0] + x, p[1] + y, q[0] + x, q[1] + y};
+    if (board->status != MUS_OK) return;
+    board->side[side].attr.allowance += lap;
+    mus__board_mark_add(board, board->side[side].panel, mark, 2, line);
 }
 
 

@@ -18,18 +18,18 @@
 #include <math.h>
 #include <string.h>
 
-#include "style/waist_edge.h"
+#include "closure/closure.h"
 
-#define OPENING_UNDERLAP (3.5 * MUS__CM) /* [m] chosen: of the 3 to 4 cm of cutting practice */
-#define OPENING_MOST 0.6 /* of the seam that the zip takes at most; chosen: the seam below still holds its end */
-#define OPENING_SIDE 0.05 /* distance of the side seam from the middle of half a waist, as a part of it, at most */
+#define WAIST_UNDERLAP (3.5 * MUS__CM) /* [m] chosen: of the 3 to 4 cm of cutting practice */
+#define WAIST_ZIP_MOST 0.6 /* of the seam that the zip takes at most; chosen: the seam below still holds its end */
+#define WAIST_SIDE_OFF 0.05 /* distance of the side seam from the middle of half a waist, as a part of it, at most */
 
 
 /* the joint of the waist between front and back: the first side behind it, from centre back to centre front */
 static int32_t opening_side(const mus__half *half, int32_t n, const int32_t *waist)
 {
     const mus__board *board = &half->board;
-    double length = 0.0, at = 0.0, off = OPENING_SIDE;
+    double length = 0.0, at = 0.0, off = WAIST_SIDE_OFF;
     int32_t found = MUS_NONE;
     for (int32_t i = 0; i < n; i++) length += board->side[waist[i]].length;
     for (int32_t i = 1; i < n; i++) {
@@ -70,7 +70,7 @@ void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist)
     const bool up = opens == MUS__CLOSURE_BACK; /* the side is walked up to the waist, else down from it */
     const int32_t seam = up ? board->side[waist[0]].prev : board->side[waist[joint - 1]].next;
     const double length = board->side[seam].length;
-    const double zip = fmin(MUS__ZIP * mus__measures_scale(&half->measures), OPENING_MOST * length);
+    const double zip = fmin(MUS__ZIP * mus__measures_scale(&half->measures), WAIST_ZIP_MOST * length);
     const int32_t partner = mus__board_partner(board, seam), centre = board->side[seam].centre;
     const int32_t low = mus__board_split(board, seam, up ? length - zip : zip, up ? "zip" : NULL);
     if (low == MUS_NONE) return;
@@ -106,22 +106,12 @@ static bool opening_right(const mus__board *board, int32_t side)
 static void opening_band(mus__half *half, int32_t over, int32_t under)
 {
     mus__board *board = &half->board;
-    const double lap = OPENING_UNDERLAP * mus__measures_scale(&half->measures);
-    const int32_t sides[2] = {over, under};
+    const double lap = WAIST_UNDERLAP * mus__measures_scale(&half->measures);
     mus__board_part_twins(board, board->side[over].panel);
     mus__board_part_twins(board, board->side[under].panel);
-    board->side[under].attr.allowance = lap + MUS__SEAM_ALLOWANCE;
-    for (int32_t i = 0; i < 2; i++) {
-        /* inwards of the outer end, outwards of the one below it */
-        const double *p = mus__board_start(board, sides[i]), *q = mus__board_end(board, sides[i]);
-        const double height = board->side[sides[i]].length, sign = i == 0 ? -1.0 : 1.0;
-        const double out[2] = {sign * (q[1] - p[1]) / height, sign * (p[0] - q[0]) / height};
-        const double button[2] = {0.5 * (p[0] + q[0] + lap * out[0]), 0.5 * (p[1] + q[1] + lap * out[1])};
-        const double line[4] = {p[0] + lap * out[0], p[1] + lap * out[1], q[0] + lap * out[0], q[1] + lap * out[1]};
-        const int32_t panel = board->side[sides[i]].panel;
-        mus__board_mark_add(board, panel, "button", 1, button);
-        if (i == 1) mus__board_mark_add(board, panel, "underlap", 2, line);
-    }
+    mus__closure_lap(board, under, lap, "underlap");
+    mus__closure_button(board, under, 0.5 * lap, "button");
+    mus__closure_button(board, over, -0.5 * lap, "buttonhole");
 }
 
 

@@ -6,8 +6,8 @@
  *   armhole    without a sleeve: of a knit a band of rib, else facings
  *   waist      band=facing: facings
  *   fly        trousers that open in front: fly facing and shield; with a band also belt loops
- *   pocket     a pocket that is marked on a panel and is no panel itself: a patch; of trousers with patches also the
- *              bags and facings of front pockets
+ *   pocket     a pocket that is marked on a panel and is no panel itself: a patch; one that is a slit: its
+ *              welt, flap and bag. Trousers with pockets have front pockets too: facings and bags
  *   collar     an under-collar
  *   slit       a placket for each slit of a sleeve
  *   buttons    interfacing of the button stand
@@ -158,6 +158,36 @@ static void cut_pockets(mus__cut_only *job)
 }
 
 
+/* Welt or flap of each slit that is marked, with its interfacing, and the bag of two layers. A welt is folded along its
+ * upper edge; above a flap, which is cut twice, lies one of 1 cm. The bag is a hand deep (chosen) */
+static void cut_welts(mus__cut_only *job, const char *mark)
+{
+    int32_t count = 0;
+    double wide = 0.0, high = 0.0;
+    for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++) {
+        const char *name;
+        int32_t n;
+        const double *xy;
+        if (mus_pattern_mark(job->pattern, i, NULL, &name, &n, &xy) != MUS_OK || n != 5) continue;
+        if (strcmp(name, mark) != 0) continue;
+        wide = fabs(xy[4] - xy[0]), high = fabs(xy[1] - xy[3]);
+        count++;
+    }
+    const double cm = job->scale * MUS__CM, welt = strcmp(mark, "flap") == 0 ? 1.0 * cm : high;
+    if (count == 0) return;
+    if (welt < high)
+        mus__cut_strip_add(job, &(mus__cut_strip){.name = "flap", .label = "pocket part", .length = wide,
+                                                  .width = high, .material = MUS_MATERIAL_MAIN, .count = 2 * count,
+                                                  .interfacing = count});
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "welt", .label = "pocket part", .length = wide, .width = welt,
+                                              .turned = welt + MUS__SEAM_ALLOWANCE, .material = MUS_MATERIAL_MAIN,
+                                              .count = count, .interfacing = count});
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "welt_bag", .label = "bag", .length = wide + 2.0 * cm,
+                                              .width = 17.0 * cm, .material = MUS_MATERIAL_LINING,
+                                              .count = 2 * count});
+}
+
+
 /* a placket for each slit of a sleeve: a strip round both its edges, 1.25 cm wide when folded (chosen) */
 static void cut_plackets(mus__cut_only *job)
 {
@@ -270,7 +300,9 @@ mus_status mus__cut_only_make(const mus__style *style, double scale, mus_pattern
         mus__cut_facings(&job, "waist", "_waist_facing");
     if (garment == MUS__GARMENT_TROUSERS) cut_fly(&job, style);
     cut_pockets(&job);
-    if (garment == MUS__GARMENT_TROUSERS && style->option[MUS__AXIS_POCKET] == MUS__POCKET_PATCH)
+    cut_welts(&job, "welt");
+    cut_welts(&job, "flap");
+    if (garment == MUS__GARMENT_TROUSERS && style->option[MUS__AXIS_POCKET] != MUS__POCKET_NONE)
         mus__cut_front_pocket(&job, pattern);
     mus__cut_under_collars(&job, pattern);
     cut_plackets(&job);

@@ -28,7 +28,7 @@ typedef struct mus__cut_strip {
     bool lengthwise;  /* grain along the length, else across */
     int32_t material; /* MUS_MATERIAL_* */
     int32_t count;
-    bool interfaced; /* also cut once of interfacing */
+    int32_t interfacing; /* pieces of interfacing too */
     int32_t nnotch;  /* notches of its lower edge, as parts of its length */
     double notch[3];
 } mus__cut_strip;

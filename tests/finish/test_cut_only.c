@@ -43,6 +43,10 @@ START_TEST(the_words_choose_the_pieces)
         {"jeans", "fly_facing 1 main 1 interfacing, fly_shield 1 main, belt_loops 1 main, pocket 2 main, "
                   "pocket_facing_left 2 main, pocket_bag_left 4 lining"},
         {"oxford_shirt", "under_collar_leaf 1 main, sleeve_placket 2 main, button_stand 2 interfacing"},
+        {"chinos", "fly_facing 1 main 1 interfacing, fly_shield 1 main, belt_loops 1 main, welt 2 main 2 interfacing, "
+                   "welt_bag 4 lining, pocket_facing_left 2 main, pocket_bag_left 4 lining"},
+        {"coat_stand", "flap 4 main 2 interfacing, welt 2 main 2 interfacing, welt_bag 4 lining, under_collar 1 main, "
+                       "button_stand 2 interfacing"},
         {"wrap_skirt_mini", "tie_long 1 main, tie_short 1 main"},
         {"faced_trousers", "leg_front_left_waist_facing 2 main 2 interfacing, leg_back_left_waist_facing 2 main 2 "
                            "interfacing, fly_facing 1 main 1 interfacing, fly_shield 1 main"},

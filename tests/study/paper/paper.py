@@ -705,6 +705,13 @@ def needed(axes):
         need.append(("closure: buttons in front", "button_stand", {"interfacing": 2}))
     if at("pocket") == "patch":
         need.append(("pocket: patch", "pocket(_left)?", {"main": 1}))
+    if at("pocket") in ("welt", "flap"):
+        need.append((f"pocket: {at('pocket')}, its place", f"mark {at('pocket')}", {"mark": 1}))
+        need.append((f"pocket: {at('pocket')}", "welt", {"main": 2, "interfacing": 2}))
+        need.append((f"pocket: {at('pocket')}, bag of two layers", "welt_bag", {"lining": 4}))
+        if at("pocket") == "flap":
+            need.append(("pocket: flap of two layers", "flap", {"main": 4, "interfacing": 2}))
+    if at("pocket", "none") != "none":
         if axes["garment"] == "trousers":
             need.append(("pocket: front, where it is cut away", "mark pocket opening", {"mark": 1}))
             need.append(("pocket: front, facing", "pocket_facing_left", {"main": 2}))

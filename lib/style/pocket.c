@@ -7,8 +7,8 @@
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
  *
- * A welt or a flap hides a slit into a bag: a mark alone, its rectangle, on the hip of a top, above the seat of trousers,
- * on the front of a skirt. What it is made of is not draped (lib/finish).
+ * A welt or a flap hides a slit into a bag: a mark alone, its rectangle, on the hip of a top, above the seat of
+ * trousers, on the front of a skirt. What it is made of is not draped (lib/finish).
  */
 #include <stdlib.h>
 #include <string.h>

@@ -53,12 +53,32 @@ static void tell_buttons(mus__sink *sink, const char *before, int32_t count, con
 }
 
 
+/* buttons that are marked on a panel without a closure, as on the stand of a collar: both ends of it have the mark */
+static int32_t loose_buttons(const mus__instructions *job)
+{
+    int32_t marks = 0;
+    for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++) {
+        int32_t panel = MUS_NONE, k = 0;
+        const char *name = "";
+        mus_pattern_mark(job->pattern, i, &panel, &name, NULL, NULL);
+        if (strcmp(name, "button") != 0) continue;
+        while (k < job->sewing.n && (job->sewing.sewn[k].kind != MUS__SEWING_BUTTONS ||
+                                     (job->sewing.sewn[k].panel[0] != panel && job->sewing.sewn[k].panel[1] != panel)))
+            k++;
+        marks += k == job->sewing.n;
+    }
+    return marks / 2;
+}
+
+
 static void tell_notions(mus__instructions *job)
 {
     bool any = false;
+    int32_t buttons = loose_buttons(job);
+    for (int32_t i = 0; i < job->sewing.n; i++) buttons += job->sewing.sewn[i].buttons;
+    if (buttons > 0) tell_buttons(notion(job, &any), "- ", buttons, "\n");
     for (int32_t i = 0; i < job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i];
-        if (seam->buttons > 0) tell_buttons(notion(job, &any), "- ", seam->buttons, "\n");
         if (!seam->zip) continue;
         mus__sink_print(notion(job, &any), "- a zip of ");
         mus__tell_length(&job->sink, seam->length[0]);

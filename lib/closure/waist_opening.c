@@ -20,7 +20,6 @@
 
 #include "closure/closure.h"
 
-#define WAIST_UNDERLAP (3.5 * MUS__CM) /* [m] chosen: of the 3 to 4 cm of cutting practice */
 #define WAIST_ZIP_MOST 0.6 /* of the seam that the zip takes at most; chosen: the seam below still holds its end */
 #define WAIST_SIDE_OFF 0.05 /* distance of the side seam from the middle of half a waist, as a part of it, at most */
 
@@ -106,7 +105,7 @@ static bool opening_right(const mus__board *board, int32_t side)
 static void opening_band(mus__half *half, int32_t over, int32_t under)
 {
     mus__board *board = &half->board;
-    const double lap = WAIST_UNDERLAP * mus__measures_scale(&half->measures);
+    const double lap = MUS__UNDERLAP * mus__measures_scale(&half->measures);
     mus__board_part_twins(board, board->side[over].panel);
     mus__board_part_twins(board, board->side[under].panel);
     mus__closure_lap(board, under, lap, "underlap");

@@ -113,19 +113,19 @@ static double cut_band(const mus__cut_only *job)
 }
 
 
-/* A fly facing of 4 cm along the zip; a shield of 4.5 cm, folded, that lies under it; and a
+/* A fly facing of 4 cm along the zip; a shield, folded, that lies under it as far as the underlap of the band; and a
  * strip for five belt loops of 1 cm. Each loop is as long as the band is high, with 1.5 cm turned in at both ends. All
  * sizes are chosen, for the scale of an adult. */
 static void cut_fly(mus__cut_only *job, const mus__style *style)
 {
     const int32_t leg = mus_pattern_find_panel(job->pattern, "leg_front_left");
     const int32_t zip = mus_pattern_find_edge(job->pattern, leg, "zip");
-    const double cm = job->scale * MUS__CM, band = cut_band(job);
+    const double cm = job->scale * MUS__CM, band = cut_band(job), lap = MUS__UNDERLAP * job->scale;
     if (style->option[MUS__AXIS_CLOSURE] != MUS__CLOSURE_FRONT || zip == MUS_NONE) return;
     mus__cut_fly(job, 4.0 * cm);
     mus__cut_strip_add(job, &(mus__cut_strip){.name = "fly_shield", .label = "fly",
                                               .length = mus_pattern_edge_length(job->pattern, zip),
-                                              .width = 4.5 * cm, .turned = 4.5 * cm + MUS__SEAM_ALLOWANCE,
+                                              .width = lap, .turned = lap + MUS__SEAM_ALLOWANCE,
                                               .lengthwise = true, .material = MUS_MATERIAL_MAIN, .count = 1});
     if (band > 0.0)
         mus__cut_strip_add(job, &(mus__cut_strip){.name = "belt_loops", .label = "loop",

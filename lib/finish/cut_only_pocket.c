@@ -109,7 +109,11 @@ void mus__cut_front_pocket(mus__cut_only *job, mus_pattern *pattern)
     mus__cut_shape shape;
     const int32_t legs[2] = {mus_pattern_find_panel(pattern, "leg_front_left"),
                              mus_pattern_find_panel(pattern, "leg_front_right")};
-    if (job->status != MUS_OK || legs[0] == MUS_NONE || !pocket_read(job, legs[0], &leg)) return;
+    if (job->status != MUS_OK || legs[0] == MUS_NONE) return;
+    if (!pocket_read(job, legs[0], &leg)) {
+        job->status = leg.status;
+        return;
+    }
     const double k = job->scale, room = mus_pattern_edge_length(pattern, leg.edge[leg.waist]);
     const double under = fmin(POCKET_UNDER * k, 0.3 * room), across = fmin(POCKET_ACROSS * k, 0.95 * room - under);
     const double down = POCKET_DOWN * k, deep = POCKET_DEEP * k;

@@ -167,6 +167,27 @@ START_TEST(a_band_opens_where_the_closure_crosses_the_waist)
 END_TEST
 
 
+/* the shield of a fly reaches as far as the underlap of the band above it, and is as long as the zip */
+START_TEST(a_shield_lies_below_the_underlap)
+{
+    static const char *const sizes[] = {"W40", "W52", "M50"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        mus_pattern *pattern = drafts_pattern(context, "jeans", sizes[i]);
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        const double lap = mus_pattern_edge_allowance(pattern, drafts_edge(pattern, "band_front_right", "open")) -
+                           mus_pattern_edge_allowance(pattern, drafts_edge(pattern, "band_front_left", "open"));
+        const double zip = drafts_length(pattern, "leg_front_left", "zip");
+        ck_assert_double_eq_tol(drafts_length(made, "fly_shield", "end"), lap, 1e-9);
+        ck_assert_double_eq_tol(drafts_length(made, "fly_shield", "low"), zip, 1e-9);
+        ck_assert_double_eq_tol(drafts_length(made, "fly_facing", "zip"), zip, 1e-3);
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a front laps left over right, a back too, and the side front over back; a fold opens at the side */
 START_TEST(the_word_of_the_closure_says_where)
 {
@@ -214,6 +235,7 @@ Suite *mus_suite_closure(void)
     TCase *tcase = tcase_create("waist");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, a_band_opens_where_the_closure_crosses_the_waist);
+    tcase_add_test(tcase, a_shield_lies_below_the_underlap);
     tcase_add_test(tcase, the_word_of_the_closure_says_where);
     suite_add_tcase(suite, tcase);
     return suite;

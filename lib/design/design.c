@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "board/board_notch.h"
+#include "closure/closure.h"
 #include "design/draft.h"
 #include "design/words.h"
 #include "finish/cut_only.h"
@@ -74,9 +75,11 @@ static void design_make(mus__half *half)
     if (waist) mus__board_opening_add(&half->board, "waist");
     const bool block = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_BLOCK);
     for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, block ? "waist" : "hem");
+    if (!block) mus__closure_folds(half);
     mus__board_match_notches(&half->board);
     mus__board_double(&half->board);
     mus__closure_finish(half);
+    if (waist) mus__waist_close(half);
     mus__pocket_finish(half);
 
     /* once more for the notches of the closure; those of the half were matched before, so that both sides are alike */

@@ -89,7 +89,7 @@ const mus__design_row mus__designs_lower[] = {
     {"tube_skirt", "skirt_straight", "Knit tube skirt", "skirt skirt=pencil cloth=knit ease=slim", W},
 
     /* trousers, classics by their names */
-    {"chinos", "trousers", "Chinos", "trousers leg=tapered", W | M},
+    {"chinos", "trousers", "Chinos", "trousers leg=tapered pocket=welt", W | M},
     {"jeans", "jeans", "Jeans", "trousers pocket=patch ease=slim", W | M},
     {"palazzo", "trousers", "Palazzo trousers", "trousers leg=wide rise=high ease=loose", W},
     {"bell_bottoms", "jeans", "Bell bottoms", "trousers leg=flare rise=low band=contour", W | M},

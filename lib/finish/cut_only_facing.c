@@ -124,6 +124,22 @@ static void facing_line(facing *f, int32_t start, int32_t end, int32_t i)
 }
 
 
+/* give the last edge the notches of rim edge i, which it copies: they are sewn notch on notch */
+static void facing_notches(facing *f, int32_t i)
+{
+    const int32_t made = f->nword > 0 ? f->word[f->nword - 1] : MUS_NONE;
+    const double length = mus_pattern_edge_length(f->pattern, f->edge[i]);
+    for (int32_t k = 0; k < mus_pattern_notch_count(f->pattern) && f->status == MUS_OK; k++) {
+        int32_t edge, kind;
+        double s;
+        f->status = mus_pattern_notch(f->pattern, k, &edge, &s, &kind);
+        if (f->status == MUS_OK && edge == f->edge[i])
+            f->status = mus_pattern_add_notch(f->made, made, fmax(0.0, f->direction[i] < 0 ? length - s : s), kind,
+                                              NULL);
+    }
+}
+
+
 /* add rim edge i, whole, with its curves; returns the point at its end, and adds its chords to the run */
 static int32_t facing_copy(facing *f, int32_t i, int32_t start)
 {
@@ -144,6 +160,7 @@ static int32_t facing_copy(facing *f, int32_t i, int32_t start)
     def.start = start, def.end = facing_point(f, moved[nxy - 1]);
     def.npiece = npiece, def.kinds = kinds, def.nxy = nxy - 2, def.xy = nxy > 2 ? moved[1] : NULL;
     facing_edge(f, &def, i, 0.0);
+    facing_notches(f, i);
 
     const double length = mus_pattern_edge_length(f->pattern, f->edge[i]);
     const int32_t n = (int32_t)fmin(ceil(length / 0.003), (double)(FACING_POINTS - f->nrun));
@@ -345,6 +362,37 @@ static void facing_panel(mus__cut_only *job, facing *f, const char *ending)
 }
 
 
+/* the edge of the facing with `ending` that is part of an edge of the pattern, or MUS_NONE */
+static int32_t facing_part(const mus__cut_only *job, int32_t edge, const char *ending)
+{
+    char name[2 * MUS__NAME_BYTES];
+    snprintf(name, sizeof name, "%s%s",
+             mus_pattern_panel_name(job->pattern, mus_pattern_edge_panel(job->pattern, edge)), ending);
+    return mus_pattern_find_edge(job->made, mus_pattern_find_panel(job->made, name),
+                                 mus_pattern_edge_name(job->pattern, edge));
+}
+
+
+/* sew the ends of the facings with `ending` to each other as the edges are sewn that they are parts of; a closure is
+ * left to its own facing */
+static void facing_sew(mus__cut_only *job, const char *ending)
+{
+    for (int32_t i = 0; i < mus_pattern_seam_count(job->pattern) && job->status == MUS_OK; i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        job->status = mus_pattern_seam(job->pattern, i, &seam);
+        if (job->status != MUS_OK || seam.closure != MUS_CLOSURE_NONE || seam.laid) continue;
+        const int32_t a = facing_part(job, seam.edge_a, ending), b = facing_part(job, seam.edge_b, ending);
+        if (a == MUS_NONE || b == MUS_NONE || a == b) continue;
+        if (fabs(mus_pattern_edge_length(job->made, a) - mus_pattern_edge_length(job->made, b)) > seam.tolerance)
+            continue;
+        seam.edge_a = a, seam.edge_b = b;
+        seam.direction = MUS_SEAM_REVERSED, seam.ease = 0.0;
+        job->status = mus_pattern_add_seam(job->made, &seam, NULL);
+    }
+}
+
+
 /* read the rim of a panel; false when it is too rich, or the job has failed */
 static bool facing_read(mus__cut_only *job, int32_t panel, facing *f)
 {
@@ -365,22 +413,23 @@ void mus__cut_facings(mus__cut_only *job, const char *label, const char *ending)
         for (int32_t k = 0; k < f.n; k++) f.on[k] = strcmp(mus_pattern_edge_label(job->pattern, f.edge[k]), label) == 0;
         facing_panel(job, &f, ending);
     }
+    facing_sew(job, ending);
 }
 
 
-/* a fly: the centre front from the waist down, straight beside it, rounded to it over the last third */
-void mus__cut_fly(mus__cut_only *job, double width, double length)
+/* a fly: the zip's part of the centre front, straight beside it, rounded to it over the last third */
+void mus__cut_fly(mus__cut_only *job, double width)
 {
     facing f;
     const int32_t panel = mus_pattern_find_panel(job->pattern, "leg_front_left");
     if (job->status != MUS_OK || panel == MUS_NONE || !facing_read(job, panel, &f)) return;
     int32_t i = 0;
-    while (i < f.n && strcmp(mus_pattern_edge_name(job->pattern, f.edge[i]), "crotch") != 0) i++;
+    while (i < f.n && strcmp(mus_pattern_edge_name(job->pattern, f.edge[i]), "zip") != 0) i++;
     if (i == f.n) return;
     static const double still[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
     memcpy(f.turn, still, sizeof still);
     f.status = MUS_OK;
-    length = fmin(length, 0.7 * mus_pattern_edge_length(job->pattern, f.edge[i]));
+    const double length = mus_pattern_edge_length(job->pattern, f.edge[i]);
     enum { STEPS = 24 };
     double p[STEPS + 1][2], outer[STEPS][2];
     for (int32_t k = 0; k <= STEPS; k++) facing_at(&f, i, length * k / STEPS, p[k]);

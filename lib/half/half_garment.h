@@ -38,6 +38,8 @@
 #define MUS__SEAM_ALLOWANCE 0.010
 #define MUS__HEM_ALLOWANCE 0.025
 #define MUS__BUTTON_STAND (1.75 * MUS__CM) /* [m] a front laps over its centre by; the diameter of a button */
+#define MUS__UNDERLAP (3.5 * MUS__CM) /* [m] of a band, and the shield below it; chosen: practice has 3 to 4 cm */
+#define MUS__ZIP (18.0 * MUS__CM) /* [m] length of a zip at the waist: the hips pass it; of dressmaking practice */
 /* length of a rib as part of the edge that it is sewn to; chosen: between the 0.85 and 0.9 of cutting practice */
 #define MUS__RIB_PART 0.87
 

@@ -63,13 +63,21 @@ static bool facing_copies(const mus__instructions *job, int32_t edge)
 }
 
 
+/* is an edge a hem of body or sleeve, which is turned up whether the panel is lined or not? */
+static bool finish_hem(const mus_pattern *pattern, int32_t edge)
+{
+    const char *label = mus_pattern_edge_label(pattern, edge);
+    return strcmp(label, "hem") == 0 || strcmp(label, "cuff") == 0;
+}
+
+
 void mus__finish_find(mus__instructions *job)
 {
     const mus_pattern *extra = job->extra, *pattern = job->pattern;
     for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
         const int32_t panel = mus_pattern_edge_panel(pattern, i);
         job->free[i] = panel != MUS_NONE && mus_pattern_edge_seam(pattern, i) == MUS_NONE &&
-                       job->sewing.passes[i] < 2 && !mus__tell_double(pattern, panel);
+                       job->sewing.passes[i] < 2 && (finish_hem(pattern, i) || !mus__tell_double(pattern, panel));
     }
     for (int32_t i = 0; i < mus_pattern_edge_count(extra); i++) {
         const int32_t panel = mus_pattern_edge_panel(extra, i);
@@ -254,6 +262,7 @@ static int32_t part_of(const mus__instructions *job, int32_t panel)
     int32_t worn = 0;
     for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++)
         if (m != MUS_MATERIAL_INTERFACING && m != MUS_MATERIAL_ELASTIC) worn += mus__tell_copies(job->extra, panel, m);
+    if (strcmp(label, "layer") == 0) return MUS_NONE; /* told with the second layers */
     if (worn == 0 || part_edges(job, panel, true) || part_edges(job, panel, false)) return MUS_NONE;
     for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++)
         if (mus_pattern_mark(job->pattern, i, NULL, &name, NULL, NULL) == MUS_OK && strcmp(name, label) == 0)
@@ -313,7 +322,10 @@ static void tell_elastic(mus__instructions *job)
 static void tell_layers(mus__instructions *job)
 {
     for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
-        if (mus__tell_double(job->pattern, i)) mus__list_add(job, job->pattern, i);
+        if (mus__tell_double(job->pattern, i)) {
+            const int32_t layer = mus__tell_layer(job->pattern, i);
+            mus__list_add(job, layer != MUS_NONE ? job->extra : job->pattern, layer != MUS_NONE ? layer : i);
+        }
     mus__phrase phrase = mus__phrase_in(job->language);
     mus__list_step(job, &phrase, "step.layers");
 }

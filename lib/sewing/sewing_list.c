@@ -119,10 +119,24 @@ bool mus__tell_mirrored(const mus_pattern *pattern, int32_t panel)
 }
 
 
+int32_t mus__tell_layer(const mus_pattern *pattern, int32_t panel)
+{
+    const mus_pattern *extra = mus_pattern_cut_only(pattern);
+    const char *own = mus_pattern_panel_name(pattern, panel);
+    for (int32_t i = 0; i < mus_pattern_panel_count(extra); i++) {
+        const char *name = mus_pattern_panel_name(extra, i);
+        const size_t n = strlen(name), m = strlen(own);
+        const bool layer = strcmp(mus_pattern_panel_label(extra, i), "layer") == 0;
+        if (layer && n > m && strcmp(name + n - m, own) == 0) return i;
+    }
+    return MUS_NONE;
+}
+
+
 bool mus__tell_double(const mus_pattern *pattern, int32_t panel)
 {
     return mus__tell_copies(pattern, panel, MUS_MATERIAL_MAIN) > (mus__tell_mirrored(pattern, panel) ? 2 : 1) ||
-           mus__tell_copies(pattern, panel, MUS_MATERIAL_LINING) > 0;
+           mus__tell_copies(pattern, panel, MUS_MATERIAL_LINING) > 0 || mus__tell_layer(pattern, panel) != MUS_NONE;
 }
 
 

@@ -75,21 +75,36 @@ static void tell_zip(mus__instructions *job, double length, const char *key, boo
 }
 
 
+/* buttons that are marked on a panel without a closure, as on the stand of a collar: both ends of it have the mark */
+static int32_t loose_buttons(const mus__instructions *job)
+{
+    int32_t marks = 0;
+    for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++) {
+        int32_t panel = MUS_NONE, k = 0;
+        const char *name = "";
+        mus_pattern_mark(job->pattern, i, &panel, &name, NULL, NULL);
+        if (strcmp(name, "button") != 0) continue;
+        while (k < job->sewing.n && (job->sewing.sewn[k].kind != MUS__SEWING_BUTTONS ||
+                                     (job->sewing.sewn[k].panel[0] != panel && job->sewing.sewn[k].panel[1] != panel)))
+            k++;
+        marks += k == job->sewing.n;
+    }
+    return marks / 2;
+}
+
+
 static void tell_notions(mus__instructions *job)
 {
     bool any = false;
+    int32_t buttons = loose_buttons(job);
+    for (int32_t i = 0; i < job->sewing.n; i++) buttons += job->sewing.sewn[i].buttons;
+    mus__phrase loose = mus__phrase_in(job->language);
+    mus__phrase_number(&loose, 0, buttons);
+    if (buttons > 0) tell_notion(job, &loose, buttons == 1 ? "buttons.one" : "buttons.many", &any);
     for (int32_t i = 0; i < job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i];
-        mus__phrase phrase = mus__phrase_in(job->language);
-        mus__phrase_number(&phrase, 0, seam->buttons);
-        if (seam->buttons > 0) tell_notion(job, &phrase, seam->buttons == 1 ? "buttons.one" : "buttons.many", &any);
         if (seam->zip) tell_zip(job, seam->length[0], "notion.zip", &any);
     }
-    double fly = HUGE_VAL;
-    for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
-        if (strcmp(mus_pattern_panel_label(job->extra, i), "fly") == 0)
-            fly = fmin(fly, mus__tell_longest(job->extra, i));
-    if (fly < HUGE_VAL) tell_zip(job, fly, "notion.fly", &any);
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
         char text[MUS__LENGTH];
@@ -104,13 +119,32 @@ static void tell_notions(mus__instructions *job)
 
 /* ---- preparation ---- */
 
+/* the longer of two ends lies under the other: what a seam needs at both is not the underlap */
+static void tell_underlap(mus__instructions *job, const mus__sewn *seam, int32_t side, double underlap)
+{
+    char words[MUS__WORDS], told[MUS__WORDS], depth[MUS__LENGTH];
+    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[side]), seam->twins > 1, words);
+    mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_number(&phrase, 0, lround(1e3 * underlap));
+    mus__phrase_write(&phrase, "depth", depth, sizeof depth);
+    mus__phrase_text(&phrase, 0, mus__tell_words(job, "panel", words, told));
+    mus__phrase_text(&phrase, 1, depth);
+    mus__tell_step(job, &phrase, "step.underlap");
+}
+
+
 /* fold what the allowance of a closure with buttons is to the wrong side: both sides of a seam in one step */
 static void tell_plackets(mus__instructions *job)
 {
     for (int32_t i = 0; i < 2 * job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i / 2];
         const double allowance = mus_pattern_edge_allowance(job->pattern, seam->edge[i % 2]);
-        if (seam->kind != MUS__SEWING_BUTTONS || !(allowance > 0.0)) continue;
+        const double other = mus_pattern_edge_allowance(job->pattern, seam->edge[1 - i % 2]);
+        if (seam->kind != MUS__SEWING_BUTTONS || !(allowance > 0.0) || other > allowance + 1e-6) continue;
+        if (allowance > other + 1e-6) {
+            if (seam->family == i / 2) tell_underlap(job, seam, i % 2, allowance - other); /* left and right alike */
+            continue;
+        }
         char words[MUS__WORDS], told[MUS__WORDS], depth[MUS__LENGTH];
         mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
         mus__list_add(job, job->pattern, seam->panel[i % 2]);

@@ -46,7 +46,10 @@ int32_t mus__tell_copies(const mus_pattern *pattern, int32_t panel, int32_t mate
 bool mus__tell_printed(const mus_pattern *pattern, int32_t panel);
 /* has a panel an image, or is it one? */
 bool mus__tell_mirrored(const mus_pattern *pattern, int32_t panel);
-/* is a panel sewn as two layers: cut twice without an image, or four times with one, or lined? */
+/* the panel of those that are not draped that is the second layer of a panel: an under-collar; MUS_NONE without one */
+int32_t mus__tell_layer(const mus_pattern *pattern, int32_t panel);
+/* is a panel sewn as two layers: cut twice without an image, or four times with one, or lined, or with an
+ * under-collar? */
 bool mus__tell_double(const mus_pattern *pattern, int32_t panel);
 /* length of the longest edge of a panel [m] */
 double mus__tell_longest(const mus_pattern *pattern, int32_t panel);

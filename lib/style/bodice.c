@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "closure/closure.h"
 #include "geom/curve.h"
 #include "geom/vec.h"
 #include "style/bodice.h"

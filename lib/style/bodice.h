@@ -2,8 +2,8 @@
  * bodice.h: what the files of a top share: the figures of its draft and the steps from the blocks to the sewn body.
  *
  * bodice.c drafts the blocks and draws the panels; bodice_edges.c draws side and lower edge, neckline.c armhole,
- * shoulder and neck; shaping*.c rotate the darts and cut the panels apart; closure.c sets the centre lines; yoke.c cuts
- * the yoke.
+ * shoulder and neck; shaping*.c rotate the darts and cut the panels apart; yoke.c cuts the yoke;
+ * lib/closure sets the centre lines.
  */
 #ifndef MUS_BODICE_H
 #define MUS_BODICE_H
@@ -82,8 +82,5 @@ void mus__shaping_yoke(mus__half *half, mus__top *top);
 
 void mus__shaping_neck_gathers(mus__half *half, mus__top *top);
 void mus__shaping_centre_gathers(mus__half *half, mus__top *top);
-
-/* closure.c: sets the centre lines and marks the buttons */
-void mus__closure_set(mus__half *half);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "base/elementary.h"
 #include "geom/vec.h"
+#include "closure/closure.h"
 #include "style/bodice.h"
 
 #define CAPE_STRETCH_KNIT 1.15

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "closure/closure.h"
 #include "style/collar.h"
 
 
@@ -93,6 +94,10 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     int32_t sides[4], leaf_sides[4];
     collar_stand(half, neck, height, fall, &stand, sides);
     if (board->status != MUS_OK) return;
+
+    /* the ends of the stand lap over the centre front as the fronts do */
+    mus__closure_button(board, sides[1], 0.0, "button");
+    mus__closure_lap(board, sides[1], MUS__BUTTON_STAND, "stand end");
     const mus__leaf_def def = {.length = stand.top_length, .fall = fall,
                                .point = 7.0 * k * MUS__CM, .rise = -1.0 * k * MUS__CM};
     board->status = mus__leaf_draft(half->context, &def, &leaf);

@@ -1,11 +1,14 @@
 /*
- * pocket.c: patch pockets: where they go on the half, and on the whole garment the pieces themselves.
+ * pocket.c: pockets: where they go on the half, and on the whole garment the pieces themselves.
  *
  * A patch lies on another panel; at three of its edges three sheets meet (board_patch_panel.c). On the half a pocket is
  * a mark of 13 x 15 cm, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
  * gets a panel; the mark stays and shows where to sew it. A panel that is too small for the pocket keeps the mark
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
+ *
+ * A welt or a flap hides a slit into a bag: a mark alone, its rectangle, on the hip of a top, above the seat of
+ * trousers, on the front of a skirt. What it is made of is not draped (lib/finish).
  */
 #include <stdlib.h>
 #include <string.h>
@@ -36,29 +39,38 @@ static void pocket_within(mus__half *half, int32_t panel, double *xy)
 }
 
 
-/* centre (x, y) of the pocket's top, half its width, its height; a back is drawn at x < 0 */
+/* marks a pocket; centre (x, y) of its top, a back is drawn at x < 0. Patch 13 x 15, welt 14 x 2, flap 15 x 5.5 cm */
 static void pocket_mark(mus__half *half, const char *name, double x, double y)
 {
-    const int32_t panel = mus__board_find_panel(&half->board, name);
+    static const struct {
+        const char *name;
+        double width, height; /* [cm] */
+    } pockets[] = {{"", 0.0, 0.0}, {"pocket", 13.0, 15.0}, {"welt", 14.0, 2.0}, {"flap", 15.0, 5.5}};
+    const int32_t panel = mus__board_find_panel(&half->board, name), kind = half->style.option[MUS__AXIS_POCKET];
     if (half->board.status != MUS_OK || panel == MUS_NONE) return;
-    const double scale = mus__lower_scale(half), w = 6.5 * MUS__CM * scale, h = 15.0 * MUS__CM * scale;
+    const double scale = mus__lower_scale(half), w = 0.5 * pockets[kind].width * MUS__CM * scale;
+    const double h = pockets[kind].height * MUS__CM * scale;
     double xy[10] = {x - w, y, x - w, y - h, x + w, y - h, x + w, y, x - w, y};
     pocket_within(half, panel, xy);
-    mus__board_mark_add(&half->board, panel, "pocket", 5, xy);
+    mus__board_mark_add(&half->board, panel, pockets[kind].name, 5, xy);
 }
 
 
 void mus__pocket_attach(mus__half *half)
 {
-    if (half->style.option[MUS__AXIS_POCKET] != MUS__POCKET_PATCH) return;
+    if (half->style.option[MUS__AXIS_POCKET] == MUS__POCKET_NONE) return;
+    const bool patch = half->style.option[MUS__AXIS_POCKET] == MUS__POCKET_PATCH;
+    const int32_t length = half->style.option[MUS__AXIS_TOP_LENGTH];
+    const bool hips = length == MUS__TOP_LENGTH_HIP || length == MUS__TOP_LENGTH_TUNIC;
     const double *m = half->measures.v, scale = mus__lower_scale(half), hip = m[MUS_MEASURE_HIP];
-    const double low = -0.55 * m[MUS_MEASURE_WAIST_TO_HIP];
+    const double low = (patch ? -0.55 : -0.5) * m[MUS_MEASURE_WAIST_TO_HIP];
+    const double top = patch ? 0.26 * scale : hips ? -0.2 * m[MUS_MEASURE_WAIST_TO_HIP] : 0.05 * scale;
     switch (half->style.option[MUS__AXIS_GARMENT]) {
     case MUS__GARMENT_TROUSERS:
     case MUS__GARMENT_JUMPSUIT: pocket_mark(half, "leg_back", -0.13 * hip, low); break;
     case MUS__GARMENT_SKIRT:
     case MUS__GARMENT_DRESS: pocket_mark(half, "skirt_front", 0.13 * hip, low); break;
-    case MUS__GARMENT_TOP: pocket_mark(half, "front", 0.11 * m[MUS_MEASURE_BUST], 0.26 * scale); break;
+    case MUS__GARMENT_TOP: pocket_mark(half, "front", (patch ? 0.11 : 0.14) * m[MUS_MEASURE_BUST], top); break;
     default: break;
     }
 }

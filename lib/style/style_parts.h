@@ -18,9 +18,6 @@ void mus__neck_band_attach(mus__half *half);
 /* cape.c: front and back of a cape with their neck runs, sewn on the shoulders; without collar */
 void mus__cape_draft(mus__half *half);
 
-/* closure.c: after mus__board_double(): closures of the centre seams, the ends of a zip in the left side seam */
-void mus__closure_finish(mus__half *half);
-
 /* sleeve.c: the sleeve with its cuff, drafted to the lengths of the armhole, sewn in and placed round the arm; raglan
  * and dolman sleeves recut front and back */
 void mus__sleeve_attach(mus__half *half);

@@ -172,6 +172,7 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
     if (board->status != MUS_OK) return;
     mus__board_rename(board, hems[0], "hem", "cuff");
     mus__board_rename(board, hems[1], "hem", "cuff");
+    for (int32_t i = 0; i < 2; i++) board->side[hems[i]].attr.allowance = MUS__SEAM_ALLOWANCE;
     mus__board_sew(board, 2, hems, 1, tops);
 
     /* rolled about the leg with room for the heel, its middle at the outside */

@@ -7,10 +7,11 @@
  *
  *   angle = (l1 - l0) / h, radii l0 / angle and l1 / angle of lower and upper edge
  *
- * A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is eased, gathered or
- * pleated into it. A facing lies inside and is not draped: lib/finish traces it from the waist. A waist that is
- * gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man page
- * mus_design(3).
+ * A band is on the fold at both centres, but for the place where the garment opens (closure/waist_opening.c): there it
+ * has two ends. A high rise is a higher band, shaped unless it is elastic. A waist that is longer than the band is
+ * eased, gathered or pleated into it. A facing lies inside and is not draped: lib/finish traces it from the waist. A
+ * waist that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man
+ * page mus_design(3).
  *
  * A band is cut twice, an outer and an inner layer, and once of interfacing. The casing of an elastic is cut once and
  * turned in along its upper edge, whose allowance is the inner layer.
@@ -19,6 +20,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
+#include "closure/closure.h"
 #include "style/waist_edge.h"
 
 #define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */
@@ -71,8 +73,9 @@ static void band_plan_make(const mus__half *half, bool full, double part, band_p
 }
 
 
-/* half a band of the front or back: lower edge from the centre outwards, end up, upper edge back, centre down */
-static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
+/* half a band of the front or back: lower edge from the centre outwards, end up, upper edge back, centre down. The end
+ * at which the band opens is called "open" */
+static int32_t band_draw(mus__half *half, const band_plan *plan, bool front, int32_t opens)
 {
     const double l0 = plan->low[front ? 0 : 1], l1 = plan->high[front ? 0 : 1], h = plan->height;
     const double angle = (l1 - l0) / h;
@@ -98,12 +101,13 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front)
     mus__outline outline;
     mus__outline_begin(&outline);
     mus__outline_add(&outline, "low", "band", MUS__SEAM_ALLOWANCE, &low);
-    mus__outline_line(&outline, "end", "side", MUS__SEAM_ALLOWANCE, p[2], p[3]);
+    const bool parts = opens == (front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
+    mus__outline_line(&outline, opens == MUS__CLOSURE_SIDE ? "open" : "end", "side", MUS__SEAM_ALLOWANCE, p[2], p[3]);
     mus__outline_add(&outline, "top", "waist", (elastic ? h : 0.0) + MUS__SEAM_ALLOWANCE, &high);
-    mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, p[5], p[0]);
+    mus__outline_line(&outline, parts ? "open" : "centre", "centre", MUS__SEAM_ALLOWANCE, p[5], p[0]);
     const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
     mus__half_cut(half, panel, elastic ? 1 : 2, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
-    mus__half_centre(half, panel, "centre", MUS__CENTRE_FOLD);
+    mus__half_centre(half, panel, parts ? "open" : "centre", parts ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));
     return panel;
@@ -131,6 +135,7 @@ void mus__band_attach(mus__half *half)
     const int32_t n = mus__lower_waist(half, 0, board->npanel, waist);
     if (board->status == MUS_OK && n == 0)
         mus__board_fail(board, MUS_ERR_DESIGN, "band: no waist to sew it to");
+    mus__waist_zip(half, n, waist);
     if (board->status != MUS_OK) return;
 
     /* gathered or not */
@@ -144,8 +149,10 @@ void mus__band_attach(mus__half *half)
         for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], mus__lower_level(half));
         return;
     }
-    const int32_t front = band_draw(half, &plan, true), back = band_draw(half, &plan, false);
-    mus__half_sew(half, front, "end", back, "end", 0.0);
+    const int32_t opens = mus__waist_opens(half, n, waist);
+    const char *end = opens == MUS__CLOSURE_SIDE ? "open" : "end";
+    const int32_t front = band_draw(half, &plan, true, opens), back = band_draw(half, &plan, false, opens);
+    mus__half_sew(half, front, end, back, end, 0.0);
     if (board->status != MUS_OK) return;
     for (int32_t i = 0; i < n; i++) {
         char name[MUS__NAME_BYTES];

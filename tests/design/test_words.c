@@ -34,7 +34,7 @@ START_TEST(words_stand_in_the_order_of_their_numbers)
         {MUS__AXIS_CLOTH, MUS__CLOTH_KNIT, "knit"},
         {MUS__AXIS_CUFF, MUS__CUFF_RIB, "rib"},
         {MUS__AXIS_YOKE, MUS__YOKE_YOKE, "yoke"},
-        {MUS__AXIS_POCKET, MUS__POCKET_PATCH, "patch"},
+        {MUS__AXIS_POCKET, MUS__POCKET_FLAP, "flap"},
     };
     ck_assert_int_eq(sizeof list / sizeof *list, MUS__AXIS_COUNT);
     ck_assert_int_eq(mus_design_axis_count(), MUS__AXIS_COUNT);

@@ -39,8 +39,15 @@ START_TEST(the_words_choose_the_pieces)
          "front_facing 1 main 1 interfacing, back_left_facing 2 main 2 interfacing"},
         {"shirt_sleeveless",
          "front_left_armhole_facing 2 main 2 interfacing, back_armhole_facing 2 main 2 interfacing, "
-         "button_stand 2 interfacing"},
-        {"jeans", "fly_facing 1 main 1 interfacing, fly_shield 1 main, belt_loops 1 main, pocket 2 main"},
+         "under_collar_leaf 1 main, button_stand 2 interfacing"},
+        {"jeans", "fly_facing 1 main 1 interfacing, fly_shield 1 main, belt_loops 1 main, pocket 2 main, "
+                  "pocket_facing_left 2 main, pocket_bag_left 4 lining"},
+        {"oxford_shirt", "under_collar_leaf 1 main, sleeve_placket 2 main, button_stand 2 interfacing"},
+        {"chinos", "fly_facing 1 main 1 interfacing, fly_shield 1 main, belt_loops 1 main, welt 2 main 2 interfacing, "
+                   "welt_bag 4 lining, pocket_facing_left 2 main, pocket_bag_left 4 lining"},
+        {"coat_stand", "flap 4 main 2 interfacing, welt 2 main 2 interfacing, welt_bag 4 lining, under_collar 1 main, "
+                       "button_stand 2 interfacing"},
+        {"wrap_skirt_mini", "tie_long 1 main, tie_short 1 main"},
         {"faced_trousers", "leg_front_left_waist_facing 2 main 2 interfacing, leg_back_left_waist_facing 2 main 2 "
                            "interfacing, fly_facing 1 main 1 interfacing, fly_shield 1 main"},
         {"joggers", "elastic 1 elastic"},
@@ -102,6 +109,139 @@ START_TEST(a_facing_has_the_edge_that_it_faces)
 END_TEST
 
 
+/* the edge that a panel of the cut_only pattern copies: same name, on the panel whose name with `ending` is its own */
+static int32_t copied(const mus_pattern *pattern, const mus_pattern *made, int32_t edge)
+{
+    static const char *const endings[] = {"_armhole_facing", "_waist_facing", "_facing"};
+    char name[128];
+    const char *own = mus_pattern_panel_name(made, mus_pattern_edge_panel(made, edge));
+    snprintf(name, sizeof name, "%s", strncmp(own, "under_", 6) == 0 ? own + 6 : own);
+    char *two = strstr(name, "_facing_2");
+    if (two != NULL) two[7] = '\0';
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        const size_t n = strlen(name), m = strlen(endings[i]);
+        if (n <= m || strcmp(name + n - m, endings[i]) != 0) continue;
+        name[n - m] = '\0';
+        break;
+    }
+    const int32_t panel = mus_pattern_find_panel(pattern, name);
+    return panel != MUS_NONE ? mus_pattern_find_edge(pattern, panel, mus_pattern_edge_name(made, edge)) : MUS_NONE;
+}
+
+
+/* number of notches of a kind on an edge, and the sum of their distances from its nearer end [m] */
+static int32_t notches_of(const mus_pattern *pattern, int32_t edge, int32_t kind, double *from)
+{
+    int32_t count = 0;
+    const double length = mus_pattern_edge_length(pattern, edge);
+    *from = 0.0;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t of, own;
+        double s;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &of, &s, &own), MUS_OK);
+        if (of != edge || own != kind) continue;
+        *from += fmin(s, length - s);
+        count++;
+    }
+    return count;
+}
+
+
+/* over all designs: what is sewn on has the notches of its edge; the ends of facings are sewn as their edges are */
+START_TEST(what_is_sewn_on_has_the_notches_of_its_edge)
+{
+    mus_context *context = support_context();
+    int32_t notched = 0, sewn = 0;
+    for (int32_t d = 0; d < mus_design_count(); d++) {
+        const char *size = (mus_design_groups(d) & MUS_GROUP_WOMEN) != 0 ? "W40" : "M50";
+        mus_pattern *pattern = drafts_pattern(context, mus_design_name(d), size);
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        for (int32_t e = 0; made != NULL && e < mus_pattern_edge_count(made); e++) {
+            const char *label = mus_pattern_panel_label(made, mus_pattern_edge_panel(made, e));
+            const int32_t of = copied(pattern, made, e);
+            if (of == MUS_NONE || (strcmp(label, "facing") != 0 && strcmp(label, "layer") != 0)) continue;
+            if (fabs(mus_pattern_edge_length(pattern, of) - mus_pattern_edge_length(made, e)) > 2e-4) continue;
+            for (int32_t kind = MUS_NOTCH_SINGLE; kind <= MUS_NOTCH_TRIPLE; kind++) {
+                double a, b;
+                const int32_t count = notches_of(pattern, of, kind, &a);
+                ck_assert_msg(notches_of(made, e, kind, &b) == count && fabs(a - b) < 1e-3 * (count + 1),
+                              "%s: %s.%s", mus_design_name(d),
+                              mus_pattern_panel_name(made, mus_pattern_edge_panel(made, e)),
+                              mus_pattern_edge_name(made, e));
+                notched += count;
+            }
+        }
+        sewn += made != NULL ? mus_pattern_seam_count(made) : 0;
+        mus_pattern_destroy(pattern);
+    }
+    ck_assert_int_gt(notched, 500);
+    ck_assert_int_gt(sewn, 500);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* an under-collar has the neck of its collar, and an outer edge 3 mm inside: its area less by that strip */
+START_TEST(an_under_collar_is_drawn_in_at_its_outer_edge)
+{
+    static const char *const rows[][3] = {{"oxford_shirt", "collar_leaf", "under_collar_leaf"},
+                                          {"blouse_peter_pan_short", "collar", "under_collar"},
+                                          {"coat", "collar", "under_collar"},
+                                          {"stand_blouse", "collar", "under_collar"},
+                                          {"middy", "collar", "under_collar"}};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mus_pattern *pattern = drafts_pattern(context, rows[i][0], "W40");
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        const int32_t panel = mus_pattern_find_panel(pattern, rows[i][1]);
+        const int32_t under = mus_pattern_find_panel(made, rows[i][2]);
+        double outer = 0.0, inner = 0.0;
+        for (int32_t e = 0; e < mus_pattern_edge_count(made); e++) {
+            if (mus_pattern_edge_panel(made, e) != under) continue;
+            const int32_t of = mus_pattern_find_edge(pattern, panel, mus_pattern_edge_name(made, e));
+            const double length = mus_pattern_edge_length(pattern, of), own = mus_pattern_edge_length(made, e);
+            if (mus_pattern_edge_seam(pattern, of) == MUS_NONE) outer += 0.5 * (length + own);
+            else inner = fmax(inner, fabs(length - own));
+        }
+        ck_assert_msg(inner < 2e-4, "%s: the neck is off by %.2f mm", rows[i][0], 1e3 * inner);
+        const double less = mus_pattern_panel_area(pattern, panel) - mus_pattern_panel_area(made, under);
+        ck_assert_msg(fabs(less - 0.003 * (outer - 0.015)) < 0.06 * less, "%s: %.2f cm2 less of %.1f cm outer edge",
+                      rows[i][0], 1e4 * less, 1e2 * outer);
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* bag and facing of a front pocket have the waist of the leg to the same place, and the facing covers the opening */
+START_TEST(a_front_pocket_fills_what_is_cut_away)
+{
+    static const char *const sizes[] = {"W40", "M50"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        mus_pattern *pattern = drafts_pattern(context, "jeans", sizes[i]);
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        const double waist = drafts_length(made, "pocket_facing_left", "waist");
+        int32_t n = 0, panel;
+        const double *xy = NULL;
+        const char *name = "";
+        for (int32_t m = 0; strcmp(name, "pocket opening") != 0; m++)
+            ck_assert_int_eq(mus_pattern_mark(pattern, m, &panel, &name, &n, &xy), MUS_OK);
+        ck_assert_double_eq_tol(drafts_length(made, "pocket_bag_left", "waist"), waist, 1e-9);
+        ck_assert_double_eq_tol(drafts_length(made, "pocket_bag_right", "waist"), waist, 1e-9);
+        ck_assert_double_gt(waist, 0.06);
+        ck_assert_double_lt(waist, drafts_length(pattern, "leg_front_left", "w1"));
+        ck_assert_double_gt(mus_pattern_panel_area(made, mus_pattern_find_panel(made, "pocket_bag_left")),
+                            2.0 * mus_pattern_panel_area(made, mus_pattern_find_panel(made, "pocket_facing_left")));
+        ck_assert_int_eq(n, 13);
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* the band of a T-shirt is 0.87 of its neckline; an elastic is 0.9 of its casing and laps 2 cm */
 START_TEST(strips_have_the_lengths_of_their_edges)
 {
@@ -130,8 +270,12 @@ Suite *mus_suite_cut_only(void)
 {
     Suite *suite = suite_create("cut_only");
     TCase *tcase = tcase_create("pieces");
+    tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, the_words_choose_the_pieces);
     tcase_add_test(tcase, a_facing_has_the_edge_that_it_faces);
+    tcase_add_test(tcase, what_is_sewn_on_has_the_notches_of_its_edge);
+    tcase_add_test(tcase, an_under_collar_is_drawn_in_at_its_outer_edge);
+    tcase_add_test(tcase, a_front_pocket_fills_what_is_cut_away);
     tcase_add_test(tcase, strips_have_the_lengths_of_their_edges);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -21,7 +21,7 @@ def run(*arguments):
 
 
 def designs():
-    return [line.split()[0] for line in run("designs").splitlines()][::EVERY]
+    return [line.split()[0] for line in run("designs").splitlines()][::EVERY] + ["jeans", "oxford_shirt", "coat"]
 
 
 def draft(name, folder):
@@ -96,6 +96,18 @@ def test_each_seam_has_its_line(name, tmp_path):
     assert set(told) == set(wanted)
     for pair, count in told.items():  # parts of one seam between darts share a line
         assert count <= wanted[pair], sorted(pair)
+
+
+def test_what_laps_is_told_and_its_buttons_are_counted(tmp_path):
+    jeans = instructions(draft("jeans", tmp_path), tmp_path)
+    assert "The underlap of band front right reaches 35 mm beyond" in jeans and "- 1 button\n" in jeans
+    assert jeans.count("a zip of 17.9 cm") == 1
+    shirt = instructions(draft("oxford_shirt", tmp_path), tmp_path)
+    assert "The underlap of cuff reaches 25 mm beyond" in shirt
+    front = int(re.search(r"at the centre, .*?, (\d+) buttons", shirt)[1])
+    assert f"- {front + 3} buttons\n" in shirt  # both cuffs, and the stand of the collar
+    layers = re.search(r"Second layers, or linings: (.*?)\.", shirt)[1]
+    assert "under collar leaf" in layers and "under collar leaf" in shirt.split("\nSewing")[0]
 
 
 def test_what_is_asked_wrongly_has_a_sentence(tmp_path):

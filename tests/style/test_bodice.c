@@ -2,6 +2,7 @@
  * test_bodice.c: the body of a top from words: every neckline with every length and closure in the sizes of a small, a
  * middle and a large woman, a man and a child: drafted, doubled, without fault, with the openings that are meant.
  */
+#include "closure/closure.h"
 #include "muslin/topology.h"
 #include "study/people/ansur.h"
 #include "style/halves.h"

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "board/board_notch.h"
+#include "closure/closure.h"
 #include "geom/vec.h"
 #include "style/halves.h"
 

@@ -676,9 +676,11 @@ def needed(axes):
             need.append((f"neck: {where}, behind", "(back|back_left|strap)(_yoke)?_facing" if neck != "halter" else "strap",
                          {"main": 1}))
     if collar in ("mandarin", "shirt", "peter_pan", "shawl", "sailor"):
-        need.append((f"collar: {collar}", "collar(_left)?", {"main": 2, "interfacing": 1}))
+        need.append((f"collar: {collar}", "collar(_left)?", {"main": 2 if collar == "shirt" else 1, "interfacing": 1}))
+        need.append((f"collar: {collar}, under-collar", "under_collar(_leaf|_left)?", {"main": 1}))
     if collar == "shirt":
-        need.append(("collar: shirt, the leaf on its stand", "collar_leaf", {"main": 2, "interfacing": 1}))
+        need.append(("collar: shirt, the leaf on its stand", "collar_leaf", {"main": 1, "interfacing": 1}))
+        need.append(("collar: shirt, its stand laps as the front", "mark stand end", {"mark": 1}))
     if collar == "turtleneck":
         need.append(("collar: turtleneck", "collar", {"rib": 1} if knit else {"main": 1}))
     if collar == "hood":
@@ -692,6 +694,10 @@ def needed(axes):
     if cuff == "none" and at("sleeve") in ("puff", "bishop"):
         cuff = "cuff"
     if cuff != "none":
+        if cuff == "cuff" and at("sleeve") in ("long", "bishop", "gigot", "raglan"):
+            need.append(("sleeve: a long one opens above its cuff", "mark slit", {"mark": 1}))
+            need.append(("sleeve: a placket for its slit", "sleeve_placket", {"main": 2}))
+            need.append(("sleeve: the cuff opens, with an underlap", "mark underlap", {"mark": 1}))
         need.append((f"sleeve: {cuff}", "cuff_left", {"rib": 2} if cuff == "rib" else {"main": 2, "interfacing": 2}))
     if at("yoke") == "yoke":
         need.append(("yoke: two layers", "back_yoke", {"main": 2}))
@@ -699,16 +705,39 @@ def needed(axes):
         need.append(("closure: buttons in front", "button_stand", {"interfacing": 2}))
     if at("pocket") == "patch":
         need.append(("pocket: patch", "pocket(_left)?", {"main": 1}))
+    if at("pocket") in ("welt", "flap"):
+        need.append((f"pocket: {at('pocket')}, its place", f"mark {at('pocket')}", {"mark": 1}))
+        need.append((f"pocket: {at('pocket')}", "welt", {"main": 2, "interfacing": 2}))
+        need.append((f"pocket: {at('pocket')}, bag of two layers", "welt_bag", {"lining": 4}))
+        if at("pocket") == "flap":
+            need.append(("pocket: flap of two layers", "flap", {"main": 4, "interfacing": 2}))
+    if at("pocket", "none") != "none":
+        if axes["garment"] == "trousers":
+            need.append(("pocket: front, where it is cut away", "mark pocket opening", {"mark": 1}))
+            need.append(("pocket: front, facing", "pocket_facing_left", {"main": 2}))
+            need.append(("pocket: front, bag of two layers", "pocket_bag_left", {"lining": 4}))
+    if at("skirt") == "wrap":
+        need.append(("wrap: ties", "tie_long", {"main": 1}))
+        need.append(("wrap: ties", "tie_short", {"main": 1}))
+    if at("ease") == "coat":
+        need.append(("coat: lining of the body", "front(_left)?", {"lining": 1}))
+        need.append(("coat: lining of the body", "back(_left)?", {"lining": 1}))
+        if at("sleeve", "none") != "none":
+            need.append(("coat: lining of the sleeve", "sleeve(_left)?", {"lining": 2}))
     if axes["garment"] in ("skirt", "trousers"):
         band = at("band", "straight")
         if band in ("straight", "contour"):
-            need.append((f"waist: {band} band, front", "band_front", {"main": 2, "interfacing": 1}))
-            need.append((f"waist: {band} band, back", "band_back", {"main": 2, "interfacing": 1}))
+            need.append((f"waist: {band} band, front", "band_front(_left)?", {"main": 2, "interfacing": 1}))
+            need.append((f"waist: {band} band, back", "band_back(_left)?", {"main": 2, "interfacing": 1}))
         elif band == "elastic":
             need.append(("waist: elastic in its casing", "band_front", {"main": 1}))
             need.append(("waist: elastic, its length", "elastic", {"elastic": 1}))
         elif band == "facing":
-            need.append(("waist: faced, or a narrow band", ".*_waist_facing|band_front", {"main": 1, "interfacing": 1}))
+            need.append(("waist: faced, or a narrow band", ".*_waist_facing|band_front(_left)?", {"main": 1, "interfacing": 1}))
+        if at("closure", "none") != "none" and band != "elastic":
+            need.append(("closure: a zip below the waist", "seam zip", {"seam": 1}))
+            if band in ("straight", "contour"):
+                need.append(("closure: the band opens, with an underlap", "mark underlap", {"mark": 1}))
     if axes["garment"] == "trousers" and at("closure") == "front":
         need.append(("closure: fly", "fly_facing", {"main": 1, "interfacing": 1}))
         need.append(("closure: fly", "fly_shield", {"main": 1}))
@@ -720,18 +749,51 @@ def needed(axes):
 
 
 def needs(axes, pattern):
-    """[(row, pieces, name of one that is there or None)] of a pattern file."""
-    cut = {}
+    """[(row, pieces, name of one that is there or None)] of a pattern file. Marks and closures count as pieces: "mark
+    slit", "seam zip"."""
+    cut = {f"mark {m['name']}": {"mark": 1} for m in pattern.get("marks", [])}
+    cut.update({f"seam {seam['closure']}": {"seam": 1} for seam in pattern["seams"] if "closure" in seam})
     for part in (pattern, pattern.get("cut_only", {"panels": []})):
         for panel in part["panels"]:
             if panel.get("mirror_of") is None:
                 cut[panel["name"]] = {"main": panel["cut"], **panel.get("materials", {})}
-    rows = []
+    rows = [("facing, under-collar: notches of their edge", "every one", None if wrong else "all")
+            for wrong in [notches_missing(pattern)]]
     for row, name, least in needed(axes):
         own = [k for k, counts in cut.items() if re.fullmatch(name, k)
                and all(counts.get(m, 0) >= n for m, n in least.items())]
         rows.append((row, " + ".join(f"{n} {m}" for m, n in least.items()), own[0] if own else None))
     return rows
+
+
+def notches_missing(pattern):
+    """Names of facings and under-collars with an edge that has other notches than the edge of the garment it lies on: an
+    edge of the same panel, name and length."""
+    extra = pattern.get("cut_only", {"panels": []})
+
+    def edges(part, panel):
+        at, out = {}, {}
+        for notch in part.get("notches", []):
+            at.setdefault(notch["edge"], []).append((notch["s"], notch["kind"]))
+        for edge, direction in rim(panel["outline"]):
+            whole = length(edge_points(part, edge)) / 1000.0
+            own = sorted((s if direction > 0 else whole - s, kind) for s, kind in at.get(edge, []))
+            out[part["edges"][edge].get("name", "")] = (whole, own)
+        return out
+    panels = {panel["name"]: panel for panel in pattern["panels"]}
+    wrong = []
+    for panel in extra["panels"]:
+        found = re.fullmatch(r"under_(.*)|(.*?)(_armhole|_waist)?_facing(_\d+)?", panel["name"])
+        source = panels.get(found[1] or found[2]) if found else None
+        if source is None or panel.get("label") not in ("facing", "layer"):
+            continue
+        own, of = edges(extra, panel), edges(pattern, source)
+        for name, (whole, notches) in own.items():
+            other = of.get(name, (0.0, []))
+            if abs(other[0] - whole) < 5e-4 and ([k for _, k in notches] != [k for _, k in other[1]] or any(
+                    abs(a - b) > 1e-3 for (a, _), (b, _) in zip(notches, other[1]))):
+                wrong.append(f"{panel['name']}.{name}")
+    return wrong
 
 
 def print_needs(table):

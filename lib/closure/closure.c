@@ -1,17 +1,19 @@
 /*
- * closure.c: the centre lines of a top: a fold, a closure drawn done up, or a plain seam.
+ * closure.c: the centre lines of a top: a fold, a closure drawn done up, or a plain seam; and what goes on beyond a
+ * seam line.
  *
  * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
  * which a cloth can leave open. The part beyond the centre is allowance: a button stand of 1.75 cm, turned under by as
- * much and 1 cm more. Buttons and the ends of a side zip are marked. Method: FreeSewing 4 (simon).
+ * much and 1 cm more. Buttons and the ends of a side zip are marked. Where a fold meets an edge that is sewn or faced,
+ * a notch shows the centre. Method: FreeSewing 4 (simon).
  */
 #include <math.h>
 #include <string.h>
 
-#include "style/bodice.h"
+#include "base/elementary.h"
+#include "closure/closure.h"
 
 #define CLOSURE_ZIP (1.5 * MUS__CM)
-#define CLOSURE_SIDE_ZIP (18.0 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
 
 
@@ -45,6 +47,50 @@ void mus__closure_set(mus__half *half)
         side->attr.allowance = !opens ? 0.0 : front ? 2.0 * MUS__BUTTON_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
         if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
         if (opens && front) closure_buttons(half, i);
+    }
+}
+
+
+/* whether a side meets the fold beside it square enough to need a notch there: a corner, as of a V, shows itself */
+static bool closure_square(const mus__board *board, int32_t fold, int32_t side, bool ends)
+{
+    double along[2];
+    const double *p = mus__board_start(board, fold), *q = mus__board_end(board, fold);
+    mus__board_at(board, side, ends ? board->side[side].length : 0.0, NULL, along);
+    const double x = q[0] - p[0], y = q[1] - p[1], dot = along[0] * x + along[1] * y;
+    return dot * dot < 0.25 * (x * x + y * y);
+}
+
+
+/* whether a side that ends at a fold (else begins there) is sewn to one that does too, or gets a facing or a band of
+ * rib */
+static bool closure_met(const mus__board *board, int32_t side, bool ends)
+{
+    const char *label = board->side[side].attr.label, *part = board->panel[board->side[side].panel].attr.label;
+    const int32_t partner = mus__board_partner(board, side);
+    if (partner != MUS_NONE) {
+        const int32_t beside = ends ? board->side[partner].prev : board->side[partner].next;
+        return board->side[beside].centre == MUS__CENTRE_FOLD;
+    }
+    if (strcmp(part, "collar") == 0 || strcmp(part, "hood") == 0 || strcmp(part, "band") == 0) return false;
+    return strcmp(label, "neck") == 0 || (strcmp(label, "waist") == 0 && strcmp(part, "elastic") != 0);
+}
+
+
+void mus__closure_folds(mus__half *half)
+{
+    mus__board *board = &half->board;
+    const int32_t nside = board->nside;
+    for (int32_t i = 0; i < nside && board->status == MUS_OK; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || side->centre != MUS__CENTRE_FOLD) continue;
+        const int32_t before = side->prev, after = side->next;
+        const int32_t kind = strstr(board->panel[side->panel].name, "back") != NULL ? MUS_NOTCH_DOUBLE
+                                                                                     : MUS_NOTCH_SINGLE;
+        if (closure_met(board, before, true) && closure_square(board, i, before, true))
+            mus__board_notch_add(board, before, board->side[before].length, kind);
+        if (closure_met(board, after, false) && closure_square(board, i, after, false))
+            mus__board_notch_add(board, after, 0.0, kind);
     }
 }
 
@@ -93,6 +139,27 @@ static void closure_seams(mus__half *half)
 }
 
 
+void mus__closure_button(mus__board *board, int32_t side, double out, const char *mark)
+{
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double part = out / mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double xy[2] = {0.5 * (p[0] + q[0]) + part * (q[1] - p[1]), 0.5 * (p[1] + q[1]) + part * (p[0] - q[0])};
+    if (board->status == MUS_OK) mus__board_mark_add(board, board->side[side].panel, mark, 1, xy);
+}
+
+
+void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark)
+{
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double part = lap / mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double x = part * (q[1] - p[1]), y = part * (p[0] - q[0]);
+    const double line[4] = {p[0] + x, p[1] + y, q[0] + x, q[1] + y};
+    if (board->status != MUS_OK) return;
+    board->side[side].attr.allowance += lap;
+    mus__board_mark_add(board, board->side[side].panel, mark, 2, line);
+}
+
+
 void mus__closure_finish(mus__half *half)
 {
     if (half->board.status == MUS_OK) closure_seams(half);
@@ -101,7 +168,7 @@ void mus__closure_finish(mus__half *half)
     mus__board *board = &half->board;
     const bool lower = !mus__style_has(half->style.option[MUS__AXIS_GARMENT], MUS__AXIS_NECK);
     if (board->status != MUS_OK || lower || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SIDE)) return;
-    const double reach = 0.5 * CLOSURE_SIDE_ZIP * mus__measures_scale(&half->measures);
+    const double reach = 0.5 * MUS__ZIP * mus__measures_scale(&half->measures);
     const int32_t nside = board->nside;
     for (int32_t i = 0; i < nside; i++) {
         const mus__board_side *side = &board->side[i];

@@ -1,0 +1,40 @@
+/*
+ * closure.h: where a garment opens: fronts that button, zips, bands and cuffs whose ends lap. A closure is drawn done
+ * up, a seam that a cloth can leave open (half/half_garment.h).
+ *
+ * closure.c has the centre lines of a top and what all that lap share; waist_opening.c has skirts and trousers.
+ */
+#ifndef MUS_CLOSURE_H
+#define MUS_CLOSURE_H
+
+#include "half/half_garment.h"
+
+/* ---- closure.c, on the half ---- */
+
+/* Sets the centre lines of a top and marks the buttons. */
+void mus__closure_set(mus__half *half);
+/* Puts notches where a fold meets a seam or an edge that is faced, double behind, single in front. */
+void mus__closure_folds(mus__half *half);
+/* Lets a side go on by `lap` beyond its seam line [m]: it is added to the allowance, and a line `mark` shows where the
+ * end is sewn. */
+void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark);
+/* Marks a button, or what `mark` names, `out` beyond the middle of a side, within the panel when negative [m]. */
+void mus__closure_button(mus__board *board, int32_t side, double out, const char *mark);
+
+/* ---- waist_opening.c, on the half: the waist from centre back to centre front, half-edges waist (n) ---- */
+
+/* Where skirt or trousers open: MUS__CLOSURE_FRONT, BACK or SIDE, or NONE. A centre line that is a fold does not open:
+ * SIDE instead. */
+int32_t mus__waist_opens(const mus__half *half, int32_t n, const int32_t *waist);
+/* Splits the seam that opens at the end of its zip; the part at the waist is called "zip". */
+void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist);
+
+/* ---- after mus__board_double() ---- */
+
+/* Sets the closures of the centre seams of a top, and marks the ends of a zip in the left side seam. */
+void mus__closure_finish(mus__half *half);
+/* Sets the zip of skirts and trousers, sides "zip", and the ends of the band above it, sides "open", of which one gets
+ * its underlap. */
+void mus__waist_close(mus__half *half);
+
+#endif

@@ -1,0 +1,242 @@
+/*
+ * test_closure.c: skirts and trousers open where their closure crosses the waist: the zip below and the ends of the
+ * band above it meet in one point of the sewn garment, and one end is longer by the underlap. A law over all designs.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "block/drafts.h"
+
+#define RIM_MOST 64
+
+/* the edges of a panel's rim as they are walked */
+typedef struct rim {
+    int32_t n, edge[RIM_MOST], direction[RIM_MOST];
+} rim;
+
+
+static rim rim_of(const mus_pattern *pattern, int32_t panel)
+{
+    rim out;
+    ck_assert_int_eq(mus_pattern_rim(pattern, panel, out.edge, out.direction, RIM_MOST, &out.n), MUS_OK);
+    ck_assert_int_le(out.n, RIM_MOST);
+    return out;
+}
+
+
+/* the edge beside `edge` in its rim that has the label: before it (*before set) or after it; MUS_NONE without one */
+static int32_t beside(const mus_pattern *pattern, int32_t edge, const char *label)
+{
+    const rim own = rim_of(pattern, mus_pattern_edge_panel(pattern, edge));
+    for (int32_t i = 0; i < own.n; i++)
+        for (int32_t k = own.edge[i] == edge ? 0 : 2; k < 2; k++) {
+            const int32_t other = own.edge[(i + (k == 0 ? 1 : own.n - 1)) % own.n];
+            if (strcmp(mus_pattern_edge_label(pattern, other), label) == 0) return other;
+        }
+    return MUS_NONE;
+}
+
+
+static bool on_band(const mus_pattern *pattern, int32_t edge)
+{
+    return strcmp(mus_pattern_panel_label(pattern, mus_pattern_edge_panel(pattern, edge)), "band") == 0;
+}
+
+
+/* the only closure of the kind on a band or off it; MUS_NONE without one, *count of them */
+static int32_t closure_of(const mus_pattern *pattern, int32_t kind, bool band, int32_t *count, mus_seam_def *out)
+{
+    int32_t found = MUS_NONE;
+    *count = 0;
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        if (seam.closure != kind || on_band(pattern, seam.edge_a) != band) continue;
+        *out = seam;
+        found = i;
+        ++*count;
+    }
+    return found;
+}
+
+
+static int32_t partner(const mus_pattern *pattern, int32_t edge)
+{
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    ck_assert_int_eq(mus_pattern_seam(pattern, mus_pattern_edge_seam(pattern, edge), &seam), MUS_OK);
+    return seam.edge_a == edge ? seam.edge_b : seam.edge_a;
+}
+
+
+static double length_of(const mus_pattern *pattern, const char *label, bool band)
+{
+    double length = 0.0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
+        if (strcmp(mus_pattern_edge_label(pattern, i), label) == 0 && on_band(pattern, i) == band)
+            length += mus_pattern_edge_length(pattern, i);
+    return length;
+}
+
+
+/* what the seams of the waist line ease in [m] */
+static double eased(const mus_pattern *pattern)
+{
+    double ease = 0.0;
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        if (strcmp(mus_pattern_edge_label(pattern, seam.edge_a), "band") != 0) continue;
+        ease += on_band(pattern, seam.edge_a) ? seam.ease : -seam.ease;
+    }
+    return ease;
+}
+
+
+/* each end of the band's opening stands on the seam of the zip: the zip's edge, the waist edge beside it, the band's
+ * edge sewn to that, and the end beside this one */
+static void meets(const char *name, const mus_pattern *pattern, const mus_seam_def *zip, const mus_seam_def *band)
+{
+    for (int32_t k = 0; k < 2; k++) {
+        const int32_t edge = k == 0 ? zip->edge_a : zip->edge_b, waist = beside(pattern, edge, "band");
+        ck_assert_msg(waist != MUS_NONE, "%s: the zip ends below the waist", name);
+        const int32_t low = partner(pattern, waist), panel = mus_pattern_edge_panel(pattern, low);
+        const int32_t end = mus_pattern_edge_panel(pattern, band->edge_a) == panel ? band->edge_a : band->edge_b;
+        ck_assert_msg(mus_pattern_edge_panel(pattern, end) == panel, "%s: the band does not open at the zip", name);
+        const rim own = rim_of(pattern, panel);
+        bool side_by_side = false;
+        for (int32_t i = 0; i < own.n; i++) {
+            const int32_t a = own.edge[i], b = own.edge[(i + 1) % own.n];
+            side_by_side = side_by_side || (a == low && b == end) || (a == end && b == low);
+        }
+        ck_assert_msg(side_by_side, "%s: the band's end is not over the zip", name);
+    }
+}
+
+
+/* a band's two ends differ by the underlap, 3 to 4 cm on an adult; the rest of the band is as long as the waist line */
+static void laps(const char *name, const mus_pattern *pattern, const mus_seam_def *band)
+{
+    const double a = mus_pattern_edge_allowance(pattern, band->edge_a);
+    const double b = mus_pattern_edge_allowance(pattern, band->edge_b), lap = fabs(a - b);
+    ck_assert_msg(lap > 0.015 && lap < 0.04, "%s: underlap of %.1f mm", name, 1e3 * lap);
+    ck_assert_double_eq_tol(fmin(a, b), 0.01, 1e-9);
+    const double waist = length_of(pattern, "band", false) - eased(pattern);
+    ck_assert_msg(fabs(length_of(pattern, "band", true) - waist) < 2e-3, "%s: band %.1f mm, waist line %.1f mm", name,
+                  1e3 * length_of(pattern, "band", true), 1e3 * waist);
+    int32_t lines = 0;
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        const char *mark;
+        ck_assert_int_eq(mus_pattern_mark(pattern, i, NULL, &mark, NULL, NULL), MUS_OK);
+        lines += strcmp(mark, "underlap") == 0;
+    }
+    ck_assert_int_eq(lines, 1);
+}
+
+
+START_TEST(a_band_opens_where_the_closure_crosses_the_waist)
+{
+    mus_context *context = support_context();
+    int32_t opened = 0, closed = 0;
+    for (int32_t d = 0; d < mus_design_count(); d++) {
+        const char *name = mus_design_name(d), *words = mus_design_words(d);
+        char full[512];
+        if (strncmp(words, "skirt", 5) != 0 && strncmp(words, "trousers", 8) != 0) continue;
+        ck_assert_int_eq(mus_design_spell(context, words, full, sizeof full), MUS_OK);
+        mus_pattern *pattern = drafts_pattern(context, name, (mus_design_groups(d) & 1) != 0 ? "W40" : "M50");
+        mus_seam_def zip, band;
+        int32_t zips, ends;
+        closure_of(pattern, MUS_CLOSURE_ZIP, false, &zips, &zip);
+        closure_of(pattern, MUS_CLOSURE_BUTTONS, true, &ends, &band);
+        const bool opens = strstr(full, "closure=none") == NULL && strstr(full, "band=elastic") == NULL;
+        const bool banded = length_of(pattern, "band", true) > 0.0;
+        ck_assert_msg(zips == (opens ? 1 : 0), "%s: %d zips", name, (int)zips);
+        ck_assert_msg(ends == (opens && banded ? 1 : 0), "%s: the band opens %d times", name, (int)ends);
+        if (ends == 1) meets(name, pattern, &zip, &band);
+        if (ends == 1) laps(name, pattern, &band);
+        opened += ends;
+        closed += ends == 0;
+        mus_pattern_destroy(pattern);
+    }
+    ck_assert_int_gt(opened, 100);
+    ck_assert_int_gt(closed, 20);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* the shield of a fly reaches as far as the underlap of the band above it, and is as long as the zip */
+START_TEST(a_shield_lies_below_the_underlap)
+{
+    static const char *const sizes[] = {"W40", "W52", "M50"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        mus_pattern *pattern = drafts_pattern(context, "jeans", sizes[i]);
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        const double lap = mus_pattern_edge_allowance(pattern, drafts_edge(pattern, "band_front_right", "open")) -
+                           mus_pattern_edge_allowance(pattern, drafts_edge(pattern, "band_front_left", "open"));
+        const double zip = drafts_length(pattern, "leg_front_left", "zip");
+        ck_assert_double_eq_tol(drafts_length(made, "fly_shield", "end"), lap, 1e-9);
+        ck_assert_double_eq_tol(drafts_length(made, "fly_shield", "low"), zip, 1e-9);
+        ck_assert_double_eq_tol(drafts_length(made, "fly_facing", "zip"), zip, 1e-3);
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a front laps left over right, a back too, and the side front over back; a fold opens at the side */
+START_TEST(the_word_of_the_closure_says_where)
+{
+    static const char *const rows[][4] = {
+        {"trousers", "band_front_left", "band_front_right", "leg_front_left"},
+        {"trousers closure=back", "band_back_left", "band_back_right", "leg_back_left"},
+        {"trousers closure=side", "band_front", "band_back", "leg_front_left"},
+        {"skirt skirt=pencil", "band_back_left", "band_back_right", "skirt_back_left"},
+        {"skirt skirt=gathered", "band_front", "band_back", "skirt_front"},
+        {"skirt skirt=gored6 closure=back", "band_front", "band_back", "gore2_left"},
+    };
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, "W40");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mus_pattern *pattern;
+        mus_seam_def band, zip;
+        int32_t count;
+        ck_assert_int_eq(mus_design_draft_words(context, rows[i][0], tape, NULL, &pattern), MUS_OK);
+        closure_of(pattern, MUS_CLOSURE_BUTTONS, true, &count, &band);
+        ck_assert_int_eq(count, 1);
+        const bool swap = mus_pattern_edge_allowance(pattern, band.edge_a) > 0.02;
+        const int32_t over = swap ? band.edge_b : band.edge_a, under = swap ? band.edge_a : band.edge_b;
+        ck_assert_str_eq(mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, over)), rows[i][1]);
+        ck_assert_str_eq(mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, under)), rows[i][2]);
+        closure_of(pattern, MUS_CLOSURE_ZIP, false, &count, &zip);
+        ck_assert_int_eq(mus_pattern_find_edge(pattern, mus_pattern_find_panel(pattern, rows[i][3]), "zip") ==
+                             zip.edge_a ||
+                         mus_pattern_find_edge(pattern, mus_pattern_find_panel(pattern, rows[i][3]), "zip") ==
+                             zip.edge_b, true);
+        ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, zip.edge_a), 0.18, 2e-3);
+        mus_pattern_destroy(pattern);
+    }
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
+Suite *mus_suite_closure(void);
+
+
+Suite *mus_suite_closure(void)
+{
+    Suite *suite = suite_create("closure");
+    TCase *tcase = tcase_create("waist");
+    tcase_set_timeout(tcase, 120);
+    tcase_add_test(tcase, a_band_opens_where_the_closure_crosses_the_waist);
+    tcase_add_test(tcase, a_shield_lies_below_the_underlap);
+    tcase_add_test(tcase, the_word_of_the_closure_says_where);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -9,6 +9,7 @@ package of bindings/python, numpy, matplotlib, and pdftoppm of poppler.
 """
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -23,6 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
 import muslin  # noqa: E402
 
+os.environ["LC_ALL"] = "C.UTF-8"  # paper in English, whatever the machine speaks
 TAPE = ROOT / "examples" / "tapes" / "w40.tape"
 GARMENT = ["--design", "tshirt", "--tape", str(TAPE)]
 CLOTH = ["--colour", "#a8433a"]

@@ -180,7 +180,7 @@ static const mus__language_row names_de[] = {
     {"title.gathered neck", "gereihter Ausschnitt"}, {"title.gathered skirt", "gereihter Rock"},
     {"title.gigot sleeves", "Keulenärmel"}, {"title.half circle", "Halbkreis"},
     {"title.half circle skirt", "Halbkreisrock"}, {"title.halter neck", "Neckholder"},
-    {"title.high waist", "hohe Taille"}, {"title.high-low", "vorne kurz, hinten lang"},
+    {"title.high waist", "hohe Taille"}, {"title.high-low", "vorne kurz und hinten lang"},
     {"title.keyhole neck", "Schlüssellochausschnitt"}, {"title.knife pleats", "Messerfalten"},
     {"title.lined", "gefüttert"}, {"title.long", "lang"}, {"title.long sleeves", "lange Ärmel"},
     {"title.low", "niedriger Bund"}, {"title.low waist", "tiefe Taille"}, {"title.mandarin collar", "Stehkragen"},

@@ -188,7 +188,7 @@ static const mus__language_row names_fr[] = {
     {"title.gathered skirt", "jupe froncée"}, {"title.gigot sleeves", "manches gigot"},
     {"title.half circle", "demi-cercle"}, {"title.half circle skirt", "jupe demi-cercle"},
     {"title.halter neck", "encolure américaine"}, {"title.high waist", "taille haute"},
-    {"title.high-low", "court devant, long derrière"}, {"title.keyhole neck", "encolure goutte"},
+    {"title.high-low", "court devant et long derrière"}, {"title.keyhole neck", "encolure goutte"},
     {"title.knife pleats", "plis couchés"}, {"title.lined", "version doublée"}, {"title.long", "version longue"},
     {"title.long sleeves", "manches longues"}, {"title.low", "taille basse"}, {"title.low waist", "taille basse"},
     {"title.mandarin collar", "col officier"}, {"title.maxi", "longueur maxi"}, {"title.midi", "longueur midi"},

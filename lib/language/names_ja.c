@@ -140,7 +140,7 @@ static const mus__language_row names_ja[] = {
     {"title.full circle skirt", "サーキュラースカート"}, {"title.gathered centre front", "前中心ギャザー"},
     {"title.gathered front", "前ギャザー"}, {"title.gathered neck", "ギャザーネック"}, {"title.gathered skirt", "ギャザースカート"},
     {"title.gigot sleeves", "ジゴスリーブ"}, {"title.half circle", "半円"}, {"title.half circle skirt", "半円スカート"},
-    {"title.halter neck", "ホルターネック"}, {"title.high waist", "ハイウエスト"}, {"title.high-low", "前短後長丈"},
+    {"title.halter neck", "ホルターネック"}, {"title.high waist", "ハイウエスト"}, {"title.high-low", "フィッシュテール丈"},
     {"title.keyhole neck", "キーホールネック"}, {"title.knife pleats", "ナイフプリーツ"}, {"title.lined", "裏地付き"},
     {"title.long", "ロング丈"}, {"title.long sleeves", "長袖"}, {"title.low", "ローライズ"}, {"title.low waist", "ローウエスト"},
     {"title.mandarin collar", "スタンドカラー"}, {"title.maxi", "マキシ丈"}, {"title.midi", "ミディ丈"}, {"title.mini", "ミニ丈"},

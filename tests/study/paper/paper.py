@@ -26,6 +26,7 @@ import argparse
 import concurrent.futures
 import json
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -33,6 +34,7 @@ import sys
 import tempfile
 import zlib
 
+os.environ["LC_ALL"] = "C.UTF-8"  # paper in English, whatever the machine speaks
 MM = 25.4 / 72.0
 LIMITS = {  # [mm], angles [degrees]
     "place": 0.05,   # cairo writes three decimals of a point, and edges end at corners

@@ -170,7 +170,7 @@ int command_layout(int argc, char **argv)
         {"--tolerance", OPTION_NUMBER, &asked.tolerance, 0, 11, "DEG  by which a piece may leave the grain, default 0"},
         {"--stripe", OPTION_NUMBER, &asked.stripe, 1, 10000, "MM  between stripes across the cloth: hems match"},
         {"--effort", OPTION_NUMBER, &asked.effort, 0.0001, 10000,
-         "N  billions of steps, about two seconds each, default 1"},
+         "N  billions of steps, about a second each, default 1"},
         {"--runs", OPTION_WHOLE, &asked.runs, 1, 64, "N  searches, of which the shortest is taken, default 1"},
         {"--threads", OPTION_WHOLE, &asked.threads, 1, 64, "N  that share the runs, default 1; the result is the same"},
         {"--seed", OPTION_WHOLE, &asked.seed, 0, 1e9, "N  of the first run, default 1"},

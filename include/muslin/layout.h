@@ -35,7 +35,7 @@ typedef struct mus_layout_def {
     double tolerance; /* by which the grain of a piece may leave that of the cloth [rad], 0 to 0.2, default 0 */
     double stripe;    /* distance of stripes across the cloth [m], 0 (none, default) or 0.001 to 10: the lowest point of
                        * each piece, as the panel is drawn, lies on a stripe, so that hems match */
-    int64_t steps;    /* elementary steps of each run, 1e5 to 1e13, default 1e9: about two seconds */
+    int64_t steps;    /* elementary steps of each run, 1e5 to 1e13, default 1e9: about a second */
     int32_t runs;     /* searches from seeds of their own, of which the shortest layout is taken, 1 to 64, default 1 */
     int32_t threads;  /* that share the runs, 1 to 64, default 1 */
     uint64_t seed;    /* default 1 */
@@ -61,7 +61,7 @@ typedef struct mus_layout mus_layout;
  * Errors:  MUS_ERR_ARG (value out of range; a piece wider than the cloth), MUS_ERR_PATTERN (a fault of the pattern),
  *          MUS_ERR_LIMIT (more than 2000 pieces), MUS_ERR_VERSION, MUS_ERR_MEMORY. *out is NULL then
  * Memory:  *out is the caller's: mus_layout_destroy(). 16 n^2 bytes a run for n pieces while it is made
- * Cost:    def.steps times def.runs, about 2 ns each; twice that where single pieces are tried both ways. Fewer when
+ * Cost:    def.steps times def.runs, about 1 ns each; twice that where single pieces are tried both ways. Fewer when
  *          ten attempts in a row make the layout no shorter
  * Source:  Gardeyn, Vanden Berghe, Wauters, An open-source heuristic to reboot 2D nesting research, 2025
  */

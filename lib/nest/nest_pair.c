@@ -50,8 +50,9 @@ bool mus__nest_meets(const mus__nest_shape *a, const mus__nest_shape *b, const d
 {
     double box[4];
     for (int32_t d = 0; d < 2; d++) {
-        box[d] = fmax(-a->half[d], shift[d] - b->half[d]);
-        box[2 + d] = fmin(a->half[d], shift[d] + b->half[d]);
+        const double low = shift[d] - b->half[d], high = shift[d] + b->half[d];
+        box[d] = low > -a->half[d] ? low : -a->half[d];
+        box[2 + d] = high < a->half[d] ? high : a->half[d];
         if (box[d] > box[2 + d]) return false;
     }
     const int32_t count = pair_near(a, box, near);
@@ -82,8 +83,8 @@ double mus__nest_loss(const mus__nest_shape *a, const mus__nest_shape *b, const 
                       int64_t *steps)
 {
     if (!mus__nest_meets(a, b, shift, near, steps)) return 0.0;
-    const double epsilon = PAIR_EPSILON * fmax(a->diameter, b->diameter);
-    *steps += a->poles.n * b->poles.n;
+    const double epsilon = PAIR_EPSILON * (a->diameter > b->diameter ? a->diameter : b->diameter);
+    *steps += 20 + 4 * a->poles.n;
     const double sum =
         (double)mus__nest_poles_f32(&a->poles, &b->poles, (float)shift[0], (float)shift[1], (float)epsilon);
     /* a square root makes a length of the area, and the sizes make large shapes heavier */

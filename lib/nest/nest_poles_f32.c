@@ -12,23 +12,23 @@
 #include "nest/nest_shape.h"
 
 
+/* the inner loop over the circles of b is the vector: a sum for each of them, added up in the end */
 MUS_CLONES static float poles_sum(const mus__nest_poles *a, const mus__nest_poles *b, float dx, float dy, float epsilon)
 {
-    float sum[MUS__NEST_LANES] = {0.0f};
+    float sum[MUS__NEST_POLES] = {0.0f};
     const float square = epsilon * epsilon, twice = 2.0f * epsilon;
     for (int32_t i = 0; i < a->n; i++) {
         const float ax = a->x[i] - dx, ay = a->y[i] - dy, ar = a->r[i];
-        for (int32_t j = 0; j < b->n; j += MUS__NEST_LANES) {
-            MUS_IVDEP
-            for (int32_t k = 0; k < MUS__NEST_LANES; k++) {
-                const float x = b->x[j + k] - ax, y = b->y[j + k] - ay, br = b->r[j + k];
-                const float depth = ar + br - sqrtf(x * x + y * y);
-                const float far = square / (twice - (depth < epsilon ? depth : epsilon));
-                sum[k] += (depth < epsilon ? far : depth) * (ar < br ? ar : br);
-            }
+        MUS_ROLLED
+        for (int32_t j = 0; j < MUS__NEST_POLES; j++) {
+            const float x = b->x[j] - ax, y = b->y[j] - ay, br = b->r[j];
+            const float depth = ar + br - sqrtf(x * x + y * y);
+            const float shallow = depth < epsilon ? depth : epsilon;
+            const float far = square / (twice - shallow), deep = depth - shallow;
+            sum[j] += (far + deep) * (ar < br ? ar : br);
         }
     }
-    for (int32_t width = MUS__NEST_LANES / 2; width > 0; width /= 2)
+    for (int32_t width = MUS__NEST_POLES / 2; width > 0; width /= 2)
         for (int32_t k = 0; k < width; k++) sum[k] += sum[k + width];
     return sum[0];
 }

@@ -83,7 +83,6 @@ static void shape_poles(mus__nest_shape *shape, double *rooms)
             rooms[i] = fmin(rooms[i], sqrt(dx * dx + dy * dy) - r);
         }
     }
-    for (; n % MUS__NEST_LANES != 0 || n == 0; n++) shape->poles.x[n] = shape->poles.y[n] = shape->poles.r[n] = 0.0f;
     shape->poles.n = n;
 }
 

@@ -6,12 +6,11 @@
 
 #include "nest/nest.h"
 
-#define MUS__NEST_LANES 8  /* circles that are looked at together; a power of two */
-#define MUS__NEST_POLES 16 /* most inscribed circles of a shape; a multiple of the lanes */
+#define MUS__NEST_POLES 16 /* inscribed circles of a shape at most; a power of two: two vectors of AVX2 */
 
-/* disjoint circles inside a shape, the largest first; the last lanes are filled with circles of radius 0 */
+/* disjoint circles inside a shape, the largest first; after the first n all have radius 0 */
 typedef struct mus__nest_poles {
-    int32_t n; /* a multiple of the lanes */
+    int32_t n;
     float x[MUS__NEST_POLES], y[MUS__NEST_POLES], r[MUS__NEST_POLES];
 } mus__nest_poles;
 

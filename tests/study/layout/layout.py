@@ -9,7 +9,7 @@ instances (PyPI, in an environment of its own: --spyrrow PATH/bin/python); its l
 The judge works on integers: every double is a multiple of a power of two, so crossings of sides have exact signs. Two
 outlines overlap when sides of them cross or touch, or when one holds a point of the other. What touches without
 overlap counts as well, which is stricter than needed.
-    --effort N     billions of steps of each run (30: about 60 CPU seconds)
+    --effort N     billions of steps of each run (50: about 60 CPU seconds)
     --runs N       seeds; the shortest layout counts (2); they share --threads N (2)
     --least NAME=PERCENT[,...]   fail below (trousers=86,shirts=82)
 """
@@ -246,7 +246,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("instances", nargs="*", default=[], metavar="NAME")
     parser.add_argument("--data", type=pathlib.Path, required=True)
-    parser.add_argument("--effort", type=float, default=30.0)
+    parser.add_argument("--effort", type=float, default=50.0)
     parser.add_argument("--runs", type=int, default=2)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)

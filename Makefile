@@ -38,10 +38,8 @@ KERNEL_release = -O3 -fno-math-errno
 KERNEL =
 FORTIFY = $(if $(findstring FORTIFY,$(CPPFLAGS) $(CFLAGS))$(filter -O0,$(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 HARDEN_release = -fstack-protector-strong $(FORTIFY) # outside the kernels
-# no fused multiply-add: the same bits from every compiler; gcc 12 makes vfmaddsub of pairs all the same where it may,
-# by AVX-512 too. The kernels' clones have that one all the same, and no such pair (tests/guard/own_math.sh)
-NO_FUSED = -mno-fma -mno-fma4 -mno-avx512f
-SAME_BITS := $(if $(shell $(CC) $(NO_FUSED) -E -x c /dev/null 2>/dev/null),$(NO_FUSED)) -ffp-contract=off
+# no fused multiply-add, by AVX-512 neither: the same bits from every compiler (lib/base/ieee.h)
+SAME_BITS := $(shell f='-mno-fma -mno-fma4 -mno-avx512f' && $(CC) $$f -E -x c /dev/null >/dev/null 2>&1 && echo $$f) -ffp-contract=off
 WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wstrict-prototypes -Wundef -Wvla \
        -Wcast-qual -Wwrite-strings $(if $(werror),-Werror)
 TEST_WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wvla $(if $(werror),-Werror)
@@ -91,7 +89,6 @@ LIBRARIES := muslin $(foreach l,$(OWN_LIBRARY),$(if $(SRC_$(l)),$(l)))
 ARCHIVES := $(foreach l,$(OWN_LIBRARY) muslin,$(call library,$(l)).a)
 SHARED := $(foreach l,$(LIBRARIES),$(call library,$(l)).so.$(VERSION))
 A_TESTS := $(OUT)/obj/tests/parts.a
-A_COMMAND := $(OUT)/obj/examples/command.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
@@ -132,10 +129,9 @@ $(OUT)/suites.h: FORCE
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # ---- libraries: a static and a shared one from the same objects ----
-$(A_TESTS): $(call objects,$(TEST_PARTS))
+$(A_TESTS): $(call objects,$(TEST_PARTS) $(filter-out %/main.c,$(wildcard examples/command/*.c examples/render/*.c)))
 $(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects_of,$(l))))
-$(A_COMMAND): $(filter-out %/main.o,$(call objects,$(wildcard examples/command/*.c examples/render/*.c)))
-$(sort $(ARCHIVES) $(A_TESTS)) $(A_COMMAND):
+$(sort $(ARCHIVES) $(A_TESTS)):
 	$(call say,AR,$@)
 	@mkdir -p $(@D)
 	@rm -f $@
@@ -156,7 +152,7 @@ STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
-$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS) $(A_COMMAND)
+$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
 $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
@@ -165,7 +161,7 @@ $(EXAMPLES): $(OUT)/examples/%: $(OUT)/obj/examples/%.o
 $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS) $(A_COMMAND),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
 # ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
 ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
@@ -174,7 +170,6 @@ TAPE := examples/tapes/w40.tape
 same check attack check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench day: APT_GROUP = test
 report page girths trade fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
-fuzz: APT_GROUP = fuzz
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
   --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf \
@@ -212,13 +207,7 @@ RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG
   PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
 RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
 RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
-RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
-RUN_day = $(BIN)/day $(DAY)
-RUN_hardening = $(MAKE) -s HARDEN_release= OUT='$(OUT)/soft' '$(OUT)/soft/bin/muslin' && $(PYTHON) tests/study/hardening/hardening.py \
-  --hard $(BIN)/muslin --soft '$(OUT)/soft/bin/muslin' $(HARDENING)
-RUN_coverage = $(MAKE) -s config=coverage OUT='$(OUT)/coverage' tests && $(PYTHON) tests/study/coverage/coverage.py \
-  --out '$(OUT)/coverage' $(COVERAGE)
-RUN_attack = $(PYTHON) tests/guard/attack.py --run $(OUT)
+$(foreach s,attack day hardening coverage check-faults,$(eval RUN_$(s) = MAKE='$$(MAKE)' PYTHON='$$(PYTHON)' sh tests/study/trust.sh $(s) '$$(OUT)'))
 RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
 RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
 $(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
@@ -230,7 +219,7 @@ RUN_check-glb = MUSLIN_OUT='$(abspath $(OUT))' $(PYTHON) tests/study/trade/meshe
 RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
 RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
 
-NEEDS = coverage:lib check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
+NEEDS = check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
 $(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
 STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
 $(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))

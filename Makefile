@@ -7,7 +7,7 @@
 #   make bench      speed table
 #   make install    DESTDIR, PREFIX and LIBDIR are respected
 #   make packages   the Debian packages that a build and its tests need
-#   make NAME       a study of the table below (NAME: corpus, wear ...); CONTRIBUTING.md says what each one measures
+#   make NAME       a study of tests/study/studies.mk (corpus, wear ...); CONTRIBUTING.md says what each one measures
 #
 # Quiet by default: one line a file. V=1 shows the commands, V=0 libraries and programs only.
 # config=release (default) | debug | sanitize | tsan | coverage; werror=1 makes warnings errors; OUT=FOLDER builds there.
@@ -89,7 +89,6 @@ LIBRARIES := muslin $(foreach l,$(OWN_LIBRARY),$(if $(SRC_$(l)),$(l)))
 ARCHIVES := $(foreach l,$(OWN_LIBRARY) muslin,$(call library,$(l)).a)
 SHARED := $(foreach l,$(LIBRARIES),$(call library,$(l)).so.$(VERSION))
 A_TESTS := $(OUT)/obj/tests/parts.a
-A_COMMAND := $(OUT)/obj/examples/command.a
 PROGRAMS := $(BIN)/muslin $(BIN)/muslin-render
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 
@@ -130,10 +129,9 @@ $(OUT)/suites.h: FORCE
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # ---- libraries: a static and a shared one from the same objects ----
-$(A_TESTS): $(call objects,$(TEST_PARTS))
+$(A_TESTS): $(call objects,$(TEST_PARTS) $(filter-out %/main.c,$(wildcard examples/command/*.c examples/render/*.c)))
 $(foreach l,$(LIBRARIES),$(eval $(call library,$(l)).a: $(call objects_of,$(l))))
-$(A_COMMAND): $(filter-out %/main.o,$(call objects,$(wildcard examples/command/*.c examples/render/*.c)))
-$(sort $(ARCHIVES) $(A_TESTS)) $(A_COMMAND):
+$(sort $(ARCHIVES) $(A_TESTS)):
 	$(call say,AR,$@)
 	@mkdir -p $(@D)
 	@rm -f $@
@@ -154,7 +152,7 @@ STUDY_PROGRAMS := $(addprefix $(BIN)/,people slips outside manifold designs worn
 parts = $(call objects,$(wildcard $(patsubst %,examples/%/*.c,$(1))))
 $(BIN)/muslin: $(filter-out %/render/main.o,$(call parts,command verify bench render))
 $(BIN)/muslin-render: $(call parts,render)
-$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS) $(A_COMMAND)
+$(BIN)/tests: $(call objects,tests/main.c tests/support.c $(TEST_FILES) $(TESTED_EXAMPLES)) $(A_TESTS)
 $(addprefix $(BIN)/,people slips outside manifold designs worn catalogue-bench seams day): $(BIN)/%: $(OUT)/obj/tests/study/$$*/$$*.o $(A_TESTS)
 $(BIN)/same: $(call objects,$(wildcard tests/same/*.c))
 $(BIN)/figures: $(OUT)/obj/tests/study/ports/figures.o
@@ -163,84 +161,10 @@ $(EXAMPLES): $(OUT)/examples/%: $(OUT)/obj/examples/%.o
 $(PROGRAMS) $(BIN)/tests $(STUDY_PROGRAMS) $(EXAMPLES): $(ARCHIVES)
 	$(call say,LD,$@)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS) $(A_COMMAND),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
+	$(Q)$(LINK) $(filter %.o,$^) $(filter $(A_TESTS),$^) $(ARCHIVES) $(OUTSIDE) -ldl -lm -o $@
 
-# ---- studies: `make NAME` runs RUN_NAME with its variable NAME, after NEEDS_NAME; APT_GROUP is what apt must have ----
-ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
-ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
-TAPE := examples/tapes/w40.tape
-same check attack check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench day: APT_GROUP = test
-report page girths trade fabric: APT_GROUP = report
-check-ports elementary: APT_GROUP = ports
-fuzz: APT_GROUP = fuzz
-gallery: APT_GROUP = report test
-RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
-  --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf \
-  --instructions $(OUT)/out/tshirt.txt && echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.txt, tshirt.glb, report.json"
-RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
-RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)
-RUN_bench = $(BIN)/muslin bench $(BENCH)
-RUN_corpus = $(PYTHON) tests/study/corpus/run.py $(ON_DATA) --out $(OUT)/corpus --jobs $(JOBS) $(CORPUS)
-RUN_paper = $(PYTHON) tests/study/paper/paper.py --command $(BIN)/muslin --jobs $(JOBS) $(PAPER)
-RUN_page = $(PYTHON) tests/study/corpus/page.py $(ON_DATA) --out $(OUT)/page --jobs $(JOBS) $(PAGE)
-RUN_wear = $(PYTHON) tests/study/designs/wear.py $(ON_DATA) --out $(OUT)/wear --jobs $(JOBS) $(WEAR)
-RUN_layers = $(PYTHON) tests/study/layers/run.py --command $(BIN)/muslin --out $(OUT)/layers $(LAYERS)
-RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $(OUT)/motion $(MOTION)
-RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
-RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
-RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
-RUN_layout = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/layout/layout.py --data '$(MUSLIN_DATA)' $(LAYOUT)
-RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery --strip examples/gallery/strip.png
-RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)
-RUN_people = $(BIN)/people $(ANSUR) $(PEOPLE)
-RUN_slips = $(BIN)/slips $(ANSUR) $(SLIPS)
-RUN_outside = $(BIN)/outside $(ANSUR) $(OUT)/out $(RULER)
-RUN_manifold = $(BIN)/manifold $(ANSUR) $(OUT)/out $(MANIFOLD)
-RUN_designs = $(BIN)/designs $(ANSUR) $(DESIGNS)
-RUN_worn = $(BIN)/worn '$(MUSLIN_DATA)' $(WORN)
-RUN_seams = $(BIN)/seams '$(MUSLIN_DATA)' $(SEAMS)
-RUN_catalogue-bench = $(BIN)/catalogue-bench '$(MUSLIN_DATA)' $(OUT)/out/bench.db $(COUNT)
-SHEET_SIZES = W34,W36,W38,W40,W42,W44,W46,W48,W50,W52,M46,M48,M50,M52,M54,M56,M58,M60,C116,C152
-RUN_sheet = $(BIN)/muslin sheet --designs all:100 --tapes W40 --png $(OUT)/out/designs.png --jobs $(JOBS) $(SHEET) && \
-  $(BIN)/muslin sheet --designs tshirt --tapes $(SHEET_SIZES) --png $(OUT)/out/bodies.png --jobs $(JOBS) $(SHEET)
-RUN_report = CC='$(CC)' MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' \
-  REPORT_FLAGS='$(strip $(FLAGS) $(OPTIMISE_$(config)) $(HARDEN_$(config)) $(CFLAGS) $(SAME_BITS)), kernels $(KERNEL_$(config))' \
-  $(PYTHON) tests/study/report/report.py $(if $(QUICK),--quick --out $(OUT)/report/quick,--out $(OUT)/report \
-  --page tests/study/report) $(REPORT)
-RUN_check-omit = MAKEFLAGS=-j$(JOBS) MAKE='$(MAKE)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' MUSLIN_DATA='$(MUSLIN_DATA)' \
-  PARTS='$(A_TESTS) $(call objects,$(TESTED_EXAMPLES))' sh tests/guard/omit.sh '$(OUT)'
-RUN_check-ports = CC='$(CC)' sh tests/study/ports/ports.sh '$(OUT)' $(PORTS)
-RUN_fuzz = JOBS=$(JOBS) sh tests/fuzz/run.sh '$(OUT)' $(or $(SECONDS),10) $(TARGET)
-RUN_check-faults = $(PYTHON) tests/study/faults/faults.py --command $(BIN)/muslin --out $(OUT)/faults $(FAULTS)
-RUN_day = $(BIN)/day $(DAY)
-RUN_hardening = $(MAKE) -s HARDEN_release= OUT='$(OUT)/soft' '$(OUT)/soft/bin/muslin' && $(PYTHON) tests/study/hardening/hardening.py \
-  --hard $(BIN)/muslin --soft '$(OUT)/soft/bin/muslin' $(HARDENING)
-RUN_coverage = $(MAKE) -s config=coverage OUT='$(OUT)/coverage' tests && $(PYTHON) tests/study/coverage/coverage.py \
-  --out '$(OUT)/coverage' $(COVERAGE)
-RUN_attack = $(PYTHON) tests/guard/attack.py --run $(OUT)
-RUN_phrases = MUSLIN_LIB='$(call library,muslin).so.$(VERSION)' $(PYTHON) tests/design/phrases.py $(PHRASES)
-RUN_elementary = CC='$(CC)' sh tests/study/elementary/run.sh '$(OUT)' $(COUNT)
-$(foreach h,wheel web web-serve extensions debian $(addprefix check-,hosts wheel web agent cluster inkscape blender),$(eval \
-  RUN_$(h) = MUSLIN_OUT='$$(abspath $$(OUT))' $$(PYTHON) bindings/run.py $(h) $$(HOSTS)))
-RUN_check-large = MUSLIN_LARGE=1000 CK_RUN_SUITE=large $(BIN)/tests
-RUN_check-threads = CC='$(CC)' sh tests/guard/threads.sh '$(OUT)' $(OPTIMISE_$(config))
-RUN_check-self-off = CC='$(CC)' sh tests/guard/self_off.sh '$(OUT)'
-RUN_check-glb = MUSLIN_OUT='$(abspath $(OUT))' $(PYTHON) tests/study/trade/meshes.py --command $(BIN)/muslin
-RUN_sizes = sh tests/guard/sizes.sh '$(OUT)' write
-RUN_house = $(PYTHON) tests/guard/house.py '$(OUT)' && CC='$(CC)' sh tests/guard/carried.sh '$(LIB)'
+-include tests/study/studies.mk
 
-NEEDS = coverage:lib check:all check:tests attack:all attack:tests same:$(BIN)/same same:$(BIN)/figures check-omit:tests check-large:tests check-threads:lib elementary:lib fuzz:lib
-$(foreach n,$(NEEDS),$(eval NEEDS_$(subst :, += ,$(n))))
-STUDIES := $(foreach v,$(filter RUN_%,$(.VARIABLES)),$(if $(filter file,$(origin $(v))),$(v:RUN_%=%)))
-$(if $(and $(OMIT),$(filter $(STUDIES) tests examples,$(MAKECMDGOALS))),$(error with OMIT there are libraries alone))
-.PHONY: $(STUDIES) $(STUDIES:%=run-%)
-$(STUDIES): %: # by a second make, so that pkg-config sees what was just installed
-	@sh tests/guard/packages.sh build $(APT_GROUP)
-	@$(if $(wildcard $(BIN)/muslin),,echo "muslin: building in $(OUT), a minute or a few (V=1 shows the commands)")
-	@$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) V=$(or $(V),0) run-$@
-$(STUDIES:%=run-%): run-%: $$(or $$(NEEDS_$$*),$$(filter $(BIN)/$$*,$(STUDY_PROGRAMS)),all)
-	@mkdir -p $(OUT)/out
-	$(Q)$(RUN_$*)
 packages:; @sh tests/guard/packages.sh build test
 install: all; @sh lib/install.sh '$(INTO)' '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' '$(VERSION)' '$(ABI)'
 clean:; rm -rf build

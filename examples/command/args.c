@@ -37,8 +37,10 @@ void print_shown(FILE *file, const char *text)
 {
     for (const unsigned char *at = (const unsigned char *)text; *at != '\0'; at++) {
         const bool c1 = at[0] == 0xC2 && at[1] >= 0x80 && at[1] < 0xA0;
-        if (*at < 0x20 || *at == 0x7F || c1) fprintf(file, "\\x%02x", *at);
-        else fputc(*at, file);
+        if (*at < 0x20 || *at == 0x7F || c1)
+            fprintf(file, "\\x%02x", *at);
+        else
+            fputc(*at, file);
         if (c1) fprintf(file, "\\x%02x", *++at);
     }
 }

@@ -59,8 +59,8 @@ static const char *nearest(const char *text)
 }
 
 
-/* Takes the stack that the library needs from the system. Later, where memory is short, the system would end the program
- * by a signal, in the middle of its work and without a sentence. */
+/* Takes the stack that the library needs from the system. Later, where memory is short, the system would end the
+ * program by a signal, in the middle of its work and without a sentence. */
 static __attribute__((noinline)) void take_stack(void)
 {
     volatile char room[STACK_BYTES];

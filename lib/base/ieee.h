@@ -15,7 +15,7 @@
 #error "muslin needs the arithmetic of IEEE 754: build it for 32-bit x86 with -msse2 -mfpmath=sse"
 #endif
 
-/* gcc 12 fuses a product and a sum of neighbouring numbers to vfmaddsub, also with -ffp-contract=off: other last digits */
+/* gcc 12 fuses products and sums of neighbours to vfmaddsub, also with -ffp-contract=off: other last digits */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__FP_FAST_FMA)
 #error "muslin needs the arithmetic of IEEE 754: build it with -mno-fma -mno-fma4 -mno-avx512f"
 #endif

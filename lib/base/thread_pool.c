@@ -7,16 +7,16 @@
 
 #include "base/thread_pool.h"
 
-/* [bytes] of a thread's stack. A pass of contact in double has 188 kB of local arrays, unoptimised code under sanitizers
- * some more; what a C library gives by itself is 128 KiB (musl) to 8 MiB (glibc) */
+/* [bytes] of a thread's stack. A pass of contact in double has 188 kB of local arrays, unoptimised code under
+ * sanitizers some more; what a C library gives by itself is 128 KiB (musl) to 8 MiB (glibc) */
 #define STACK_BYTES ((size_t)1 << 20)
 
 struct mus__pool {
     mus_context *context;
     int32_t threads;
-    int32_t started;  /* threads that exist besides the caller's */
-    int32_t next;     /* number of the next thread to take its part index */
-    int32_t running;  /* threads still at work in this generation */
+    int32_t started; /* threads that exist besides the caller's */
+    int32_t next;    /* number of the next thread to take its part index */
+    int32_t running; /* threads still at work in this generation */
     uint64_t generation;
     int32_t stop;
     mus__pool_fn fn;

@@ -274,8 +274,10 @@ START_TEST(without_memory_nothing_is_lost)
         support_fail_after(n, false);
         const mus_status status = dressing_run(&d, &w);
         support_fail_never();
-        if (status == MUS_OK) done = 1;
-        else ck_assert(status == MUS_ERR_MEMORY || status == MUS_ERR_SEW);
+        if (status == MUS_OK)
+            done = 1;
+        else
+            ck_assert(status == MUS_ERR_MEMORY || status == MUS_ERR_SEW);
         dressing_end(&d);
         worn_end(&w);
     }

@@ -179,7 +179,7 @@ void fuzz_scan(const uint8_t *bytes, size_t size)
     mus_body *body = NULL;
     mus_scan_def def;
     mus_scan_def_init(&def, sizeof def);
-    def.spacing = 0.05, def.corners = 16, def.samples = 16, def.ring_spacing = 0.1; /* a person takes 0.1 s in place of 5 */
+    def.spacing = 0.05, def.corners = 16, def.samples = 16, def.ring_spacing = 0.1; /* a person takes 0.1 s, not 5 */
     def.distances = size % 8 == 0;
     if (mus_mesh_read_obj_from(context, (const char *)bytes, size, "fuzz", &mesh) == MUS_OK &&
         mus_mesh_vertex_count(mesh) <= 4096)

@@ -48,8 +48,7 @@ static mus_body *body_of(room *r)
 {
     mus_body_def def;
     body_def(&def);
-    if (r->body == NULL)
-        fuzz_must(mus_body_create(r->context, tape_of(r), &def, &r->body) == MUS_OK, "a body is made");
+    if (r->body == NULL) fuzz_must(mus_body_create(r->context, tape_of(r), &def, &r->body) == MUS_OK, "a body is made");
     return r->body;
 }
 
@@ -232,8 +231,10 @@ static void try_cut(room *r, fuzz_input *in)
     def.s_a = fuzz_real(in, 0.0, 0.5), def.s_b = fuzz_real(in, 0.0, 0.5);
     fuzz_spoil(in, &def, 0, sizeof def);
     def.name = "half", def.seam_name = "cut", def.kinds = NULL, def.xy = NULL;
-    if (fuzz_take(in, 1) % 2) mus_pattern_separate(pattern, &def, &panel, &seam);
-    else mus_pattern_dart_to_seam(pattern, &def, &panel, &seam);
+    if (fuzz_take(in, 1) % 2)
+        mus_pattern_separate(pattern, &def, &panel, &seam);
+    else
+        mus_pattern_dart_to_seam(pattern, &def, &panel, &seam);
     fuzz_must(mus_pattern_check(pattern, &panel, NULL) == MUS_OK, "a cut pattern can be checked");
     mus_pattern_destroy(pattern);
 }
@@ -493,8 +494,9 @@ static void try_state(room *r, fuzz_input *in)
 void fuzz_options(const uint8_t *bytes, size_t size)
 {
     static void (*const tries[])(room *, fuzz_input *) = {
-        try_body,     try_limb, try_bare,  try_draft, try_plane, try_dress, try_cut,  try_edge_and_seam, try_setters,
-        try_mesh,     try_integrate, try_manifold, try_pose, try_sheet, try_scan, try_form, try_tape, try_state};
+        try_body, try_limb,          try_bare,    try_draft, try_plane,     try_dress,
+        try_cut,  try_edge_and_seam, try_setters, try_mesh,  try_integrate, try_manifold,
+        try_pose, try_sheet,         try_scan,    try_form,  try_tape,      try_state};
     room r = {.context = fuzz_context()};
     fuzz_input in = {bytes, size};
     for (int i = 0; i < TRIES && in.left > 0; i++) tries[fuzz_take(&in, 1) % (sizeof tries / sizeof *tries)](&r, &in);

@@ -10,6 +10,7 @@ out=$1
 seconds=$2
 shift 2
 cd "$(dirname "$0")/../.."
+sh tests/guard/packages.sh fuzz || true
 command -v clang >/dev/null 2>&1 || { echo "skipped: there is no clang (Debian: clang)"; exit 0; }
 echo 'int LLVMFuzzerTestOneInput(const char *b, unsigned long n) { return b == 0 && n > 0; }' |
     clang -fsanitize=fuzzer,address -x c - -o /dev/null 2>/dev/null ||
@@ -18,9 +19,12 @@ all=$(sed -n 's/^    X(\([a-z]*\), .*/\1/p' tests/fuzz/fuzz.h)
 [ $# -gt 0 ] || set -- $all
 mkdir -p "$out/fuzz/found"
 build=$(cd "$out/fuzz" && pwd)
-archives="$build/obj/examples/command.a $build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
+archives="$build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
+command=$(ls examples/command/*.c examples/render/*.c | grep -v '/main\.c$' | sed "s|\(.*\)c$|$build/obj/\1o|")
 flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined"
-MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives || exit 1
+MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives $command || exit 1
+rm -f "$build/command.a"
+ar rcsD "$build/command.a" $command
 sqlite=-lsqlite3
 if [ -n "${SQLITE:-}" ]; then
     sqlite=$build/sqlite3.o
@@ -31,7 +35,7 @@ failed=0
 for target in "$@"; do
     case " $(echo $all) " in *" $target "*) ;; *) echo "run.sh: $target is no target: $all" >&2; exit 2 ;; esac
     clang -std=c11 $flags -fsanitize=fuzzer -DFUZZ_TARGET=fuzz_"$target" -Iinclude -Iexamples tests/fuzz/entry.c tests/fuzz/fuzz*.c \
-        $archives $sqlite $(pkg-config --libs cairo pangocairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
+        "$build/command.a" $archives $sqlite $(pkg-config --libs cairo pangocairo jansson yaml-0.1 expat libpng) -ldl -lm -pthread -o "$build/$target" || exit 1
     mkdir -p "$build/$target.corpus"
     log=$build/$target.log
     times >"$build/$target.before" # of the shell itself: in a pipeline its children are not counted

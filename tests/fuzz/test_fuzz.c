@@ -81,6 +81,7 @@ Suite *mus_suite_fuzz(void)
 {
     Suite *suite = suite_create("fuzz");
     TCase *tcase = tcase_create("fuzz");
+    tcase_set_timeout(tcase, 30.0); /* all of them take a second on a machine of their own */
     tcase_add_loop_test(tcase, holds_on_seeds_and_damaged_copies, 0, (int)(sizeof targets / sizeof targets[0]));
     suite_add_tcase(suite, tcase);
     return suite;

@@ -2,12 +2,12 @@
  * day.c: a day of a program that dresses people, in an hour or less: `make day`, DAY=N for N cycles.
  *
  * A day has 17280 cycles, one each five seconds. A cycle makes a tape, a body, a design at random, its cloth and its
- * drape (of either precision, with one or two threads, every other one with self-contact), places it, takes twenty steps
- * and destroys all; each tenth is dressed to rest, written as glTF and PDF, and read back from its pattern file. All of
- * it in one context, which must hold nothing after each cycle. After each tenth of the day a line tells the cycles, the
- * CPU seconds, the memory that the system has given the process, and the allocations so far. Exit 1 when a cycle leaves
- * a byte or fails for another reason than the garment's, or when memory at the end is a tenth above that after the first
- * tenth of the day.
+ * drape (of either precision, with one or two threads, every other one with self-contact), places it, takes twenty
+ * steps and destroys all; each tenth is dressed to rest, written as glTF and PDF, and read back from its pattern file.
+ * All of it in one context, which must hold nothing after each cycle. After each tenth of the day a line tells the
+ * cycles, the CPU seconds, the memory that the system has given the process, and the allocations so far. Exit 1 when a
+ * cycle leaves a byte or fails for another reason than the garment's, or when memory at the end is a tenth above that
+ * after the first tenth of the day.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -100,8 +100,10 @@ static mus_status cycle(mus_context *context, uint64_t *state, bool rest)
     if (status == MUS_OK) status = mus_design_draft(context, mus_design_find(design), tape, NULL, &pattern);
     if (status == MUS_OK && rest) {
         status = mus_dress(context, pattern, body, &all, NULL, NULL, &cloth, &drape);
-        if (drape != NULL && cloth != NULL) status = write_all(context, pattern, cloth, drape);
-        else if (status != MUS_ERR_MEMORY && status != MUS_ERR_ARG) status = MUS_OK; /* it does not fit this person */
+        if (drape != NULL && cloth != NULL)
+            status = write_all(context, pattern, cloth, drape);
+        else if (status != MUS_ERR_MEMORY && status != MUS_ERR_ARG)
+            status = MUS_OK; /* it does not fit this person */
     } else {
         if (status == MUS_OK) status = mus_cloth_create(context, pattern, &cut, &cloth);
         if (status == MUS_OK) status = mus_drape_create(context, cloth, body, &def, &drape);
@@ -138,8 +140,8 @@ int main(int argc, char **argv)
         fflush(stdout);
     }
     mus_context_destroy(context);
-    const bool grown = cycles >= 1000 && now > GROWN * first; /* a short run is still filling its heap */
-    printf("%d cycles, %d failed, %d left memory in the context; memory after a tenth %.1f MiB, at the end %.1f MiB%s\n",
+    const bool grown = cycles >= 1000 && now > GROWN * first; /* the heap of a short run still fills */
+    printf("%d cycles, %d failed, %d left memory in the context; after a tenth %.1f MiB, at the end %.1f MiB%s\n",
            cycles, failed, left, first, now, grown ? ": it grew" : "");
     return failed > 0 || left > 0 || grown;
 }

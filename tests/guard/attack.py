@@ -32,7 +32,7 @@ FINDINGS = [
     ("F5", "arithmetic with NULL where memory fails", [
         ("tests/scan/test_scan.c", "support_fail_after"), (EXTREME + "every_call.h", "mus_body_create_scan"),
         (EXTREME + "every_call.h", "mus_sheet_write_svg_bytes"), (EXTREME + "test_every_call.c", ""),
-        (".ci/run", "what lacks memory under clang's sanitizers")]),
+        (".ci/run", "what lacks memory, under clang's sanitizers")]),
     ("F6", "a name of a tape that is not UTF-8 was taken", [
         ("tests/exchange/test_tape_csv.c", "a_row_whose_name_is_not_utf8_is_refused"),
         (SEEDS + "tape/csv_not_utf8", "")]),

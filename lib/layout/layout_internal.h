@@ -12,7 +12,9 @@
 #include "muslin/layout.h"
 #include "nest/nest.h"
 
-#define MUS__LAYOUT_MOST 2000        /* pieces; chosen: bounds the memory, 64 MB a run */
+#define MUS__LAYOUT_MOST 2000 /* pieces; chosen: bounds the memory, 64 MB a run */
+#define MUS__LAYOUT_ROUNDING                                                                                           \
+    1e-9 /* [m] by which the strip is higher than the cloth: a piece as wide as the cloth fits */
 #define MUS__LAYOUT_TOLERANCE 2.5e-4 /* [m] of leaving points out of a grown outline (layout_grow.c) */
 
 typedef struct mus__layout_polygon {

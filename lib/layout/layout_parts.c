@@ -15,15 +15,15 @@ static bool parts_pair(const mus_layout *layout, const mus__layout_outline *outl
 }
 
 
-/* whether an outline is as wide as `width` at most, across the cloth; with the layout's margin all round */
-static bool parts_fit(const mus_layout *layout, const mus__layout_polygon *grown, double width)
+/* whether an outline is as wide as `width` at most, across the cloth */
+static bool parts_fit(const mus__layout_outline *outline, double width)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
-    for (int32_t i = 0; i < grown->n; i++) {
-        low = fmin(low, grown->xy[2 * i + 1]);
-        high = fmax(high, grown->xy[2 * i + 1]);
+    for (int32_t i = 0; i < outline->cut.n; i++) {
+        low = fmin(low, outline->cut.xy[2 * i + 1]);
+        high = fmax(high, outline->cut.xy[2 * i + 1]);
     }
-    return high - low <= width + 2.0 * layout->margin;
+    return high - low <= width + MUS__LAYOUT_ROUNDING;
 }
 
 
@@ -63,7 +63,7 @@ mus_status mus__layout_parts(mus_layout *layout, bool doubled, int32_t *singles)
         const mus__layout_part pair = {.outline = k, .lie = MUS__LIE_EITHER, .folded = true};
         const mus__layout_part half = {.outline = k, .lie = MUS__LIE_HALF, .folded = true};
         const mus__layout_part spare = {.outline = k, .lie = MUS__LIE_EITHER, .folded = true, .spare = true};
-        const bool fits = parts_fit(layout, &outline->grown, 0.5 * width);
+        const bool fits = parts_fit(outline, 0.5 * width);
         const bool pairs = layout->def.fold != 0 && fits && parts_pair(layout, outline);
         int32_t left = outline->count;
         if (pairs) {
@@ -71,7 +71,7 @@ mus_status mus__layout_parts(mus_layout *layout, bool doubled, int32_t *singles)
             left %= 2;
         }
         if (status != MUS_OK || left == 0) continue;
-        if (layout->def.fold != 0 && outline->symmetric && parts_fit(layout, &outline->grown, width)) {
+        if (layout->def.fold != 0 && outline->symmetric && parts_fit(outline, width)) {
             status = parts_add(layout, &room, left, &half);
         } else if (layout->def.fold != 0 && fits) {
             about += left;

@@ -8,9 +8,8 @@
 #include "layout/layout_internal.h"
 
 #define SOLVE_QUARTER 1.57079632679489661923
-#define SOLVE_EXACT 1e-9    /* [rad] a turn this near a quarter turn is one; chosen: 10 nm over 10 m */
-#define SOLVE_ROUNDING 1e-9 /* [m] by which the strip is higher than the cloth: a piece as wide as the cloth fits */
-#define SOLVE_ANGLES 5      /* within the tolerance of the grain; chosen */
+#define SOLVE_EXACT 1e-9 /* [rad] a turn this near a quarter turn is one; chosen: 10 nm over 10 m */
+#define SOLVE_ANGLES 5   /* within the tolerance of the grain; chosen */
 
 /* one search: the ways of its parts */
 typedef struct solve_work {
@@ -191,7 +190,8 @@ static mus_status solve_cloth(solve_work *work, bool folded)
         work->items[n++].edge = part->lie == MUS__LIE_HALF;
     }
     if (n == 0) return MUS_OK;
-    const mus__nest_def nest = {.height = (folded ? 0.5 : 1.0) * def->width + 2.0 * layout->margin + SOLVE_ROUNDING,
+    const mus__nest_def nest = {.height =
+                                    (folded ? 0.5 : 1.0) * def->width + 2.0 * layout->margin + MUS__LAYOUT_ROUNDING,
                                 .stripe = def->stripe,
                                 .steps = def->steps,
                                 .runs = def->runs,

@@ -286,6 +286,33 @@ START_TEST(a_single_piece_is_cut_open_or_to_spare_whichever_is_shorter)
 END_TEST
 
 
+START_TEST(a_piece_as_wide_as_the_cloth_fits)
+{
+    for (int fold = 0; fold < 2; fold++) {
+        mus_pattern *pattern = single(1.38, 2);
+        mus_layout_def def = quick();
+        mus_cut_line *line;
+        const double *xy;
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        int32_t n;
+        ck_assert_int_eq(mus_pattern_cut_line(pattern, 0, def.allowance, &line), MUS_OK);
+        ck_assert_int_eq(mus_cut_line_loop(line, 0, &n, &xy), MUS_OK);
+        for (int32_t k = 0; k < n; k++) {
+            low = fmin(low, xy[2 * k]);
+            high = fmax(high, xy[2 * k]);
+        }
+        mus_cut_line_destroy(line);
+        def.fold = fold, def.width = high - low;
+        mus_layout *layout = laid(pattern, &def);
+        ensure_laid(layout, &def);
+        ck_assert_int_eq(mus_layout_piece_count(layout), 2);
+        mus_layout_destroy(layout);
+        mus_pattern_destroy(pattern);
+    }
+}
+END_TEST
+
+
 START_TEST(a_piece_wider_than_the_cloth_is_refused_by_name)
 {
     mus_pattern *pattern = single(1.5, 1);
@@ -458,6 +485,7 @@ Suite *mus_suite_layout(void)
     tcase_add_test(tests, outlines_are_cut_lines_in_their_place);
     tcase_add_test(tests, folded_cloth_has_halves_on_the_fold);
     tcase_add_test(tests, a_single_piece_is_cut_open_or_to_spare_whichever_is_shorter);
+    tcase_add_test(tests, a_piece_as_wide_as_the_cloth_fits);
     tcase_add_test(tests, a_piece_wider_than_the_cloth_is_refused_by_name);
     tcase_add_test(tests, hems_lie_on_stripes);
     tcase_add_test(tests, the_grain_stays_within_its_tolerance);

@@ -61,18 +61,15 @@ mus_status mus__pool_create(mus_context *context, int32_t threads, mus__pool **o
     pthread_cond_init(&pool->done, NULL);
     pthread_attr_t attr;
     int trouble = pthread_attr_init(&attr);
-    if (trouble == 0) {
-        trouble = pthread_attr_setstacksize(&attr, STACK_BYTES);
-        for (int32_t i = 1; i < threads && trouble == 0; i++) {
-            trouble = pthread_create(&pool->thread[i], &attr, pool_main, pool);
-            if (trouble == 0) pool->started = i;
-        }
-        pthread_attr_destroy(&attr);
+    if (trouble == 0) trouble = pthread_attr_setstacksize(&attr, STACK_BYTES);
+    while (trouble == 0 && pool->started + 1 < threads) {
+        trouble = pthread_create(&pool->thread[pool->started + 1], &attr, pool_main, pool);
+        pool->started += trouble == 0;
     }
-    if (trouble == 0) {
-        *out = pool;
-        return MUS_OK;
-    }
+    pthread_attr_destroy(&attr);
+    *out = pool;
+    if (trouble == 0) return MUS_OK;
+    *out = NULL;
     const int32_t number = pool->started + 2;
     mus__pool_destroy(pool);
     return mus__fail(context, MUS_ERR_LIMIT, "thread %d of %d cannot be started", (int)number, (int)threads);

@@ -4,7 +4,8 @@
 For each instance: the part of the strip that is covered, CPU seconds, steps, pairs that overlap, pieces that are not
 those asked for or lie outside the strip, and the best layout known. Then jeans and shirt on folded cloth of 1.40 m with
 nap, in metres, beside figures that others published. With --spyrrow the optional solver of that name runs on the same
-instances (PyPI, in an environment of its own: --spyrrow PATH/bin/python); its layouts go through the same judge.
+instances (PyPI, in an environment of its own: --spyrrow=PATH/bin/python); its layouts go through the same judge, and
+where it is absent a line says so.
 
 The judge works on integers: every double is a multiple of a power of two, so crossings of sides have exact signs. Two
 outlines overlap when sides of them cross or touch, or when one holds a point of the other. What touches without
@@ -172,13 +173,18 @@ print(json.dumps({"width": solution.width, "cpu": used.ru_utime + used.ru_stime,
 
 
 def by_spyrrow(path, instance, python, seconds):
-    """Its layout, and the same with exact turns: outlines as doubles. None when it is not installed."""
+    """Its layout, quarter turns exact, and CPU seconds. None when it is not installed."""
     with tempfile.NamedTemporaryFile("w", suffix=".py") as program:
         program.write(SPYRROW)
         program.flush()
-        done = subprocess.run([python, program.name, path, str(seconds)], capture_output=True, text=True)
-    if done.returncode != 0:
+        try:
+            done = subprocess.run([python, program.name, path, str(seconds)], capture_output=True, text=True)
+        except OSError:
+            return None
+    if "No module named 'spyrrow'" in done.stderr:
         return None
+    if done.returncode != 0:
+        sys.exit(f"spyrrow: {done.stderr.strip()}")
     told = json.loads(done.stdout)
     placed = []
     for item, degrees, (dx, dy) in told["placed"]:
@@ -251,7 +257,7 @@ def main():
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--least", default="trousers=86,shirts=82")
-    parser.add_argument("--spyrrow", metavar="PYTHON", help="a Python that has spyrrow")
+    parser.add_argument("--spyrrow", metavar="PYTHON", nargs="?", const=sys.executable, help="a Python that has spyrrow")
     parser.add_argument("--seconds", type=int, default=60, help="wall time of spyrrow")
     parser.add_argument("--garments", action="store_true", help="jeans and shirt alone")
     options = parser.parse_args()

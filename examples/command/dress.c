@@ -225,7 +225,7 @@ int32_t dress_options(dress *d, option *table)
         SOURCE_POSTURE(d->from),
         SOURCE_MESH(d->mesh),
         {"--fabric", OPTION_TEXT, &d->fabric_name, 0, 0,
-         "NAME  jersey (default), cotton, denim ... (muslin_fabric(5)), FILE.json, or own: that of the design"},
+         "NAME  jersey (default), denim ... (muslin_fabric(5)), own: the design's, FILE.json"},
         {"--spacing", OPTION_NUMBER, &d->spacing_mm, 1, 100, "MM  spacing of the nodes, default 10"},
         {"--nodes", OPTION_WHOLE, &d->nodes, 1, 1 << 24, "N  most nodes of the cloth, default 1048576"},
         {"--friction", OPTION_NUMBER, &d->friction, 0, 10,

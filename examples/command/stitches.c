@@ -23,7 +23,7 @@
 #define ZIP_STITCH 0.007     /* [m] from the middle of a zip to the stitches on its tape */
 #define STAND 0.0175         /* [m] half the width of a button stand, as the designs draft it */
 #define BUTTON 0.0057        /* [m] radius of a button: size 18, that of shirts (ISO 3635 gives 11.4 mm) */
-#define BUTTON_APART 0.004   /* [m] nearer ones are one: both fronts mark it */
+#define BUTTON_APART (2.0 * BUTTON) /* nearer ones would overlap: both fronts, both ends of a stand mark the same one */
 #define RAYS 20              /* corners of a button's rims */
 #define RINGS 5
 

@@ -67,12 +67,12 @@ mus_status mus__pool_create(mus_context *context, int32_t threads, mus__pool **o
         pool->started += trouble == 0;
     }
     pthread_attr_destroy(&attr);
+    if (trouble != 0) {
+        mus__pool_destroy(pool);
+        return mus__fail(context, MUS_ERR_LIMIT, "%d threads cannot be started", (int)threads);
+    }
     *out = pool;
-    if (trouble == 0) return MUS_OK;
-    *out = NULL;
-    const int32_t number = pool->started + 2;
-    mus__pool_destroy(pool);
-    return mus__fail(context, MUS_ERR_LIMIT, "thread %d of %d cannot be started", (int)number, (int)threads);
+    return MUS_OK;
 }
 
 

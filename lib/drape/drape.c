@@ -58,8 +58,6 @@ static mus_status check_def(mus_context *context, const mus_drape_def *def)
         status = check_number(context, "gravity", def->gravity[i], -MOST_GRAVITY, MOST_GRAVITY);
     if (status == MUS_OK && def->precision != 0 && def->precision != 32 && def->precision != 64)
         status = mus__fail(context, MUS_ERR_ARG, "drape: precision is %d, expected 0, 32 or 64", (int)def->precision);
-    if (status == MUS_OK && (def->threads < 1 || def->threads > 64))
-        status = mus__fail(context, MUS_ERR_ARG, "drape: threads is %d, expected 1 to 64", (int)def->threads);
     if (status == MUS_OK && def->integrator != MUS_METHOD_RK4 && def->integrator != MUS_METHOD_VERLET)
         status = mus__fail(context, MUS_ERR_ARG, "drape: integrator is %d, expected %d or %d", (int)def->integrator,
                            MUS_METHOD_RK4, MUS_METHOD_VERLET);

@@ -114,28 +114,25 @@ static int32_t has_shear(const mus_cloth *cloth)
 
 void mus__drape_name_skipped(mus_drape *drape)
 {
-    const struct {
-        int32_t absent;
-        const char *name;
-    } list[] = {
-        {drape->scene.collider == NULL, "contact"},
-        {drape->scene.collider == NULL || (drape->scene.friction == 0.0 && drape->scene.collider->nplane == 0),
-         "friction"},
-        {drape->cloth->npair == 0, "seams"},
-        {!has_shear(drape->cloth), "shear"},
-        {drape->cloth->nbend + drape->cloth->nhinge == 0, "bending"},
-        {!drape->program.dashpots, "dashpots"},
-        {drape->def.drag == 0.0, "drag"},
-        {drape->def.threads == 1, "threads"},
-        {drape->self == NULL, "layers"},
+    static const char names[][9] = {"contact",  "friction", "seams",   "shear", "bending",
+                                    "dashpots", "drag",     "threads", "layers"};
+    const mus__collider *collider = drape->scene.collider;
+    const bool absent[sizeof names / sizeof names[0]] = {
+        collider == NULL,
+        collider == NULL || (drape->scene.friction == 0.0 && collider->nplane == 0),
+        drape->cloth->npair == 0,
+        !has_shear(drape->cloth),
+        drape->cloth->nbend + drape->cloth->nhinge == 0,
+        !drape->program.dashpots,
+        drape->def.drag == 0.0,
+        drape->def.threads == 1,
+        drape->self == NULL,
     };
     size_t at = 0;
-    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-        if (!list[i].absent) continue;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (!absent[i]) continue;
         if (at > 0) drape->skipped[at++] = ',';
-        const size_t bytes = strlen(list[i].name);
-        memcpy(drape->skipped + at, list[i].name, bytes);
-        at += bytes;
+        for (const char *c = names[i]; *c != '\0'; c++) drape->skipped[at++] = *c;
     }
     drape->skipped[at] = '\0';
 }

@@ -90,7 +90,7 @@ def test_lines_of_pieces_do_not_depend_on_the_language(paper, tmp_path):
         groups = {group.get("id"): [path.get("d") for path in group]
                   for group in xml.etree.ElementTree.parse(tmp_path / f"{tag}.svg").iter("{http://www.w3.org/2000/svg}g")}
         lines.append({name: paths for name, paths in groups.items() if name.endswith((".cut", ".seam", ".notches"))})
-    assert len(lines[0]) == 18 and lines[0] == lines[1]
+    assert len(lines[0]) == 3 * sum(name.endswith(".cut") for name in lines[0]) >= 18 and lines[0] == lines[1]
 
 
 @pytest.mark.parametrize("language", sorted(WORDS))

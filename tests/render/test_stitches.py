@@ -38,13 +38,15 @@ def runs(flags):
 
 
 def test_a_front_has_its_buttons_one_below_the_other(tmp_path):
-    pattern = drafted(tmp_path, "shirt")
-    heights = {round(mark["points"][0][1], 3) for mark in pattern["marks"] if mark["name"] == "button"}
-    rows = shown(tmp_path, "--design", "shirt", "--colour", "#181818", "--view", "0,0")
+    pattern = drafted(tmp_path, "gilet")
+    heights = {round(mark["points"][0][1], 3) for mark in pattern["marks"]
+               if mark["name"] == "button" and pattern["panels"][mark["panel"]]["name"].startswith("front")}
+    rows = shown(tmp_path, "--design", "gilet", "--colour", "#181818", "--view", "0,0")
     bright, middle = rows.min(axis=2), rows.shape[1] // 2
     cloth = (bright[:, middle - 25] < 90) & (bright[:, middle + 25] < 90)
     front = bright[cloth, middle - 4:middle + 5].max(axis=1)
-    assert len(runs(front > 120)) == len(heights) >= 5
+    buttons = [run for run in runs(front > 120) if run[1] - run[0] < 8]  # longer: the skin above
+    assert len(buttons) == len(heights) >= 4
 
 
 def test_a_hem_is_stitched_at_its_depth(tmp_path):

@@ -14,7 +14,8 @@
 
 typedef struct nest_work {
     mus__nest_problem problem;
-    double *xy; /* points of all shapes */
+    double *xy;    /* points of all shapes */
+    double *boxes; /* of their runs of sides */
     int32_t nrun;
     mus__nest_run *runs; /* (nrun) */
     _Atomic int32_t stop;
@@ -41,6 +42,7 @@ static void nest_free(mus_context *context, nest_work *work)
     for (int32_t k = 0; k < work->nrun; k++) nest_free_run(context, &work->runs[k]);
     mus__free(context, work->runs);
     mus__free(context, work->xy);
+    mus__free(context, work->boxes);
     mus__free(context, work->problem.shapes);
     mus__free(context, work->problem.first);
     mus__free(context, work->problem.nway);
@@ -87,7 +89,7 @@ static bool nest_same(const mus__nest_way *a, const mus__nest_way *b)
 static mus_status nest_make_shapes(mus_context *context, const mus__nest_item *items, nest_work *work)
 {
     mus__nest_problem *problem = &work->problem;
-    int64_t points = 0;
+    int64_t points = 0, runs = 0;
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < problem->n && status == MUS_OK; i++) {
         int32_t same = i - 1;
@@ -102,8 +104,10 @@ static mus_status nest_make_shapes(mus_context *context, const mus__nest_item *i
         problem->first[i] = same >= 0 ? problem->first[same] : problem->nshape;
         for (int32_t k = 0; k < items[i].nway && status == MUS_OK && same < 0; k++) {
             const mus__nest_way *way = &items[i].ways[k];
-            status = mus__nest_shape_make(context, way, work->xy + 2 * points, &problem->shapes[problem->nshape++]);
+            status = mus__nest_shape_make(context, way, work->xy + 2 * points, work->boxes + 4 * runs,
+                                          &problem->shapes[problem->nshape++]);
             points += way->n;
+            runs += mus__nest_runs(way->n);
         }
         const double size = problem->shapes[problem->first[i]].size;
         problem->area[i] = size * size;
@@ -139,23 +143,25 @@ static mus_status nest_make(mus_context *context, const mus__nest_item *items, n
 {
     mus__nest_problem *problem = &work->problem;
     const int64_t n = problem->n;
-    int64_t points = 0, ways = 0;
+    int64_t points = 0, ways = 0, runs = 0;
     for (int32_t i = 0; i < problem->n; i++) {
         ways += items[i].nway;
         for (int32_t k = 0; k < items[i].nway; k++) {
             points += items[i].ways[k].n;
+            runs += mus__nest_runs(items[i].ways[k].n);
             problem->most = items[i].ways[k].n > problem->most ? items[i].ways[k].n : problem->most;
         }
     }
     work->xy = mus__new(context, points, 2 * sizeof *work->xy);
+    work->boxes = mus__new(context, runs, 4 * sizeof *work->boxes);
     problem->shapes = mus__new(context, ways, sizeof *problem->shapes);
     problem->first = mus__new(context, n, sizeof *problem->first);
     problem->nway = mus__new(context, n, sizeof *problem->nway);
     problem->edge = mus__new(context, n, sizeof *problem->edge);
     problem->area = mus__new(context, n, sizeof *problem->area);
     work->runs = mus__new(context, problem->def->runs, sizeof *work->runs);
-    if (work->xy == NULL || problem->shapes == NULL || problem->first == NULL || problem->nway == NULL ||
-        problem->edge == NULL || problem->area == NULL || work->runs == NULL)
+    if (work->xy == NULL || work->boxes == NULL || problem->shapes == NULL || problem->first == NULL ||
+        problem->nway == NULL || problem->edge == NULL || problem->area == NULL || work->runs == NULL)
         return mus__fail_memory(context, "the items of a layout");
     mus_status status = nest_make_shapes(context, items, work);
     if (status == MUS_OK && !nest_bound(problem, bad))

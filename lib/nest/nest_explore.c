@@ -22,7 +22,7 @@
 #define EXPLORE_FINE_LAST 0.00001
 #define EXPLORE_PATIENCE 100 /* rounds without progress when exploring, and strikes; half and two thirds of theirs: */
 #define EXPLORE_STRIKES 2    /* 8e9 steps cover 0.4 to 0.8 % more of shirts, trousers and dagli */
-#define EXPLORE_TRIAL 30          /* rounds without progress at a larger step; chosen */
+#define EXPLORE_TRIAL 30     /* rounds without progress at a larger step; chosen */
 #define EXPLORE_FINE_PATIENCE 100 /* when compressing */
 #define EXPLORE_FINE_STRIKES 5
 #define EXPLORE_LARGE 0.5 /* [of the largest hull] items that may change places; chosen */

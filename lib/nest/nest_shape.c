@@ -87,7 +87,26 @@ static void shape_poles(mus__nest_shape *shape, double *rooms)
 }
 
 
-mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, double *xy, mus__nest_shape *shape)
+/* set the boxes of the runs of sides */
+static void shape_runs(mus__nest_shape *shape)
+{
+    for (int32_t k = 0; k < mus__nest_runs(shape->n); k++) {
+        double *box = shape->runs + 4 * k;
+        const int32_t first = k * MUS__NEST_RUN_SIDES;
+        for (int32_t d = 0; d < 2; d++) {
+            box[d] = box[2 + d] = shape->xy[2 * first + d];
+            for (int32_t i = first + 1; i <= first + MUS__NEST_RUN_SIDES && i <= shape->n; i++) {
+                const double at = shape->xy[2 * (i < shape->n ? i : 0) + d];
+                box[d] = fmin(box[d], at);
+                box[2 + d] = fmax(box[2 + d], at);
+            }
+        }
+    }
+}
+
+
+mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, double *xy, double *runs,
+                                mus__nest_shape *shape)
 {
     const int32_t n = way->n;
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
@@ -98,6 +117,7 @@ mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, 
     memset(shape, 0, sizeof *shape);
     shape->n = n;
     shape->xy = xy;
+    shape->runs = runs;
     shape->given = way->xy;
     for (int32_t d = 0; d < 2; d++) {
         shape->middle[d] = low[d] + 0.5 * (high[d] - low[d]);
@@ -110,6 +130,7 @@ mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, 
         shape->low[d] = way->box != NULL ? way->box[d] - shape->middle[d] : -shape->half[d];
         shape->high[d] = way->box != NULL ? way->box[2 + d] - shape->middle[d] : shape->half[d];
     }
+    shape_runs(shape);
     shape->stripe = way->stripe - shape->middle[0];
     shape->least = 2.0 * fmin(shape->half[0], shape->half[1]);
     shape->diameter = 2.0 * sqrt(shape->half[0] * shape->half[0] + shape->half[1] * shape->half[1]);

@@ -8,6 +8,8 @@
 
 #define MUS__NEST_POLES 16 /* inscribed circles of a shape at most; a power of two: two vectors of AVX2 */
 
+#define MUS__NEST_RUN_SIDES 8 /* sides whose box spares to look at them; chosen: changes the time alone */
+
 /* disjoint circles inside a shape, the largest first; after the first n all have radius 0 */
 typedef struct mus__nest_poles {
     int32_t n;
@@ -18,6 +20,7 @@ typedef struct mus__nest_poles {
 typedef struct mus__nest_shape {
     int32_t n;
     double *xy;          /* (n x 2) */
+    double *runs;        /* (runs x 4) low x, low y, high x, high y of each MUS__NEST_RUN_SIDES sides */
     const double *given; /* (n x 2) as the caller gave it */
     double middle[2];    /* of the box, in the caller's coordinates */
     double half[2];      /* half the width and the height of the box */
@@ -36,8 +39,15 @@ typedef struct mus__nest_at {
     double x, y;
 } mus__nest_at;
 
-/* make the shape of a way; xy has room for its points */
-mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, double *xy, mus__nest_shape *shape);
+/* number of runs of n sides */
+static inline int32_t mus__nest_runs(int32_t n)
+{
+    return (n + MUS__NEST_RUN_SIDES - 1) / MUS__NEST_RUN_SIDES;
+}
+
+/* make the shape of a way; xy has room for its points, runs for the boxes of its runs */
+mus_status mus__nest_shape_make(mus_context *context, const mus__nest_way *way, double *xy, double *runs,
+                                mus__nest_shape *shape);
 
 /* the place of an item in the caller's coordinates, and its outline there: out (n x 2) */
 void mus__nest_placed(const mus__nest_shape *shape, const mus__nest_at *at, mus__nest_place *out);

@@ -22,7 +22,7 @@ build=$(cd "$out/fuzz" && pwd)
 archives="$build/lib/libmuslin-print.a $build/lib/libmuslin-exchange.a $build/lib/libmuslin-catalogue.a $build/lib/libmuslin.a"
 command=$(ls examples/command/*.c examples/render/*.c | grep -v '/main\.c$' | sed "s|\(.*\)c$|$build/obj/\1o|")
 flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined"
-MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS=-fsanitize=fuzzer-no-link $archives $command || exit 1
+MAKEFLAGS= make -s -j"${JOBS:-2}" V=0 config=sanitize CC="${FUZZ_CC:-clang}" OUT="$build" CFLAGS='-fsanitize=fuzzer-no-link -Wno-pass-failed' $archives $command || exit 1
 rm -f "$build/command.a"
 ar rcsD "$build/command.a" $command
 sqlite=-lsqlite3

@@ -4,7 +4,7 @@
  * Each edge of an outline is drawn by what it is. A seam is a groove; a zip has a row of stitches on both sides; a
  * front with buttons shows the edge of its lap and, on the other side, its facing's stitches. A free edge is folded
  * and stitched: a hem at the depth of its allowance, a narrow edge close to it. Neighbours of one look are one line. A
- * mark "pocket" is the outline of a patch, a mark "button" a button, set on the cloth where the mark lies.
+ * mark of a pocket, a flap or a slit is stitched round, a mark "button" a button, set on the cloth where the mark lies.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -155,13 +155,20 @@ static void panel_lines(stitches *s, const mus_pattern *pattern, int32_t panel)
 }
 
 
+/* marks that are seen from outside: what is sewn on along them, or opens there */
+static const char *const seen_marks[] = {"pocket", "pocket opening", "welt", "flap", "slit"};
+
+
 static void patch_lines(stitches *s, const mus_pattern *pattern, int32_t mark)
 {
     int32_t panel = MUS_NONE, n = 0;
     const char *name = NULL;
     const double *xy = NULL;
     if (mus_pattern_mark(pattern, mark, &panel, &name, &n, &xy) != MUS_OK || n < 2) return;
-    if (strcmp(name, "pocket") != 0) return;
+    bool seen = false;
+    for (size_t k = 0; k < sizeof seen_marks / sizeof seen_marks[0] && !seen; k++)
+        seen = strcmp(name, seen_marks[k]) == 0;
+    if (!seen) return;
     const int32_t first = s->point_count;
     memcpy(s->points + 2 * (ptrdiff_t)first, xy, (size_t)(2 * n) * sizeof *xy);
     s->point_count += n;

@@ -7,7 +7,7 @@
 #include "base/elementary.h"
 #include "layout/layout_internal.h"
 
-#define SOLVE_QUARTER 1.57079632679489661923
+#define SOLVE_QUARTER 1.57079632679489661923 /* [rad] a quarter turn */
 #define SOLVE_EXACT 1e-9 /* [rad] a turn this near a quarter turn is one; chosen: 10 nm over 10 m */
 #define SOLVE_ANGLES 5   /* within the tolerance of the grain; chosen */
 

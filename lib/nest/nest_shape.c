@@ -16,7 +16,7 @@
 #define SHAPE_GRID 40     /* columns and rows on which a centre is looked for; chosen */
 #define SHAPE_HALVINGS 20 /* of the step from the best point of the grid; chosen: below the rounding of float */
 #define SHAPE_COVERED 0.9 /* part of the area after which no more circles than half the most are made; chosen */
-#define SHAPE_PI 3.14159265358979323846
+#define SHAPE_PI 3.14159265358979323846 /* for the area of a circle */
 
 
 /* signed distance of a point to the outline, above 0 inside, and to the circles so far, above 0 outside: the lesser */

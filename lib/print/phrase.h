@@ -8,7 +8,7 @@
 #include "muslin/language.h"
 
 /* what goes into the places {0}, {1} ... of a row: texts, NULL for a number that is written with its digits */
-#define MUS__PHRASE_MOST 5
+#define MUS__PHRASE_MOST 5 /* most places of a row: a sentence has {0} to {3}, and {4} for the length of a rib */
 
 typedef struct mus__phrase {
     int32_t language;

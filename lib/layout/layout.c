@@ -123,6 +123,19 @@ static mus_status layout_search(mus_layout *layout)
 }
 
 
+/* search and lay what `layout` was given, unless that failed already; *out gets the layout, or it is destroyed */
+static mus_status layout_end(mus_layout *layout, mus_status status, mus_layout **out)
+{
+    if (status == MUS_OK) status = layout_search(layout);
+    if (status == MUS_OK) status = layout_lay(layout);
+    if (status == MUS_OK)
+        *out = layout;
+    else
+        mus_layout_destroy(layout);
+    return status;
+}
+
+
 mus_status mus_layout_create(mus_context *context, const mus_pattern *pattern, const mus_layout_def *def,
                              mus_layout **out)
 {
@@ -134,13 +147,7 @@ mus_status mus_layout_create(mus_context *context, const mus_pattern *pattern, c
     if (status != MUS_OK) return status;
     layout->margin = 0.5 * layout->def.gap + MUS__LAYOUT_TOLERANCE;
     status = mus__layout_outlines(layout, pattern);
-    if (status == MUS_OK) status = layout_search(layout);
-    if (status == MUS_OK) status = layout_lay(layout);
-    if (status == MUS_OK)
-        *out = layout;
-    else
-        mus_layout_destroy(layout);
-    return status;
+    return layout_end(layout, status, out);
 }
 
 
@@ -200,13 +207,7 @@ mus_status mus_layout_create_items(mus_context *context, int32_t count, const mu
         /* items of an earlier release are shorter: the next one begins where this one ends */
         item = (const mus_layout_item *)(const void *)((const char *)item + item->size);
     }
-    if (status == MUS_OK) status = layout_search(layout);
-    if (status == MUS_OK) status = layout_lay(layout);
-    if (status == MUS_OK)
-        *out = layout;
-    else
-        mus_layout_destroy(layout);
-    return status;
+    return layout_end(layout, status, out);
 }
 
 

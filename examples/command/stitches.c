@@ -3,8 +3,9 @@
  *
  * Each edge of an outline is drawn by what it is. A seam is a groove; a zip has a row of stitches on both sides; a
  * front with buttons shows the edge of its lap and, on the other side, its facing's stitches. A free edge is folded
- * and stitched: a hem at the depth of its allowance, a narrow edge close to it. Neighbours of one look are one line. A
- * mark of a pocket, a flap or a slit is stitched round, a mark "button" a button, set on the cloth where the mark lies.
+ * and stitched: a hem at the depth of its allowance, a narrow edge close to it. Neighbours of one look are one line.
+ * Marks of pockets, welts, flaps and slits are drawn as a seam with stitches. Each mark "button" becomes a button that
+ * lies on the cloth.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -56,12 +57,12 @@ static void look_add(edge_look *look, int32_t kind, double offset)
 }
 
 
-/* a front that buttons: the lap ends on the wearer's left (women's fronts lap right over left) */
+/* a front that buttons: the left laps over the right, as the designs draft a fly, so the lap ends on the right panel */
 static void look_buttons(const mus_pattern *pattern, int32_t panel, edge_look *look)
 {
     const int32_t sides = mus_pattern_panel_sides(pattern, panel, NULL);
-    if (sides & MUS_SIDE_LEFT) look_add(look, RENDER_LINE_SEAM, STAND);
-    else if (sides & MUS_SIDE_RIGHT) look_add(look, RENDER_LINE_STITCH, STAND);
+    if (sides & MUS_SIDE_RIGHT) look_add(look, RENDER_LINE_SEAM, STAND);
+    else if (sides & MUS_SIDE_LEFT) look_add(look, RENDER_LINE_STITCH, STAND);
     else look_add(look, RENDER_LINE_SEAM, 0.0);
 }
 
@@ -101,7 +102,7 @@ static bool look_equal(const edge_look *a, const edge_look *b)
 }
 
 
-/* appends the points of an edge in the direction of the outline, but for the first when it is the last that is there */
+/* appends the points of an edge in the direction of the outline; a line that goes on has its first point already */
 static void edge_points(stitches *s, const mus_pattern *pattern, int32_t edge, int32_t direction, int32_t first)
 {
     double *to = s->points + 2 * (ptrdiff_t)s->point_count;
@@ -156,7 +157,7 @@ static void panel_lines(stitches *s, const mus_pattern *pattern, int32_t panel)
 }
 
 
-/* marks that are seen from outside: what is sewn on along them, or opens there */
+/* marks of what is seen from outside */
 static const char *const seen_marks[] = {"pocket", "pocket opening", "welt", "flap", "slit"};
 
 
@@ -180,7 +181,7 @@ static void patch_lines(stitches *s, const mus_pattern *pattern, int32_t mark)
 
 /* ---- buttons ---- */
 
-/* the place and the normal of the cloth at a point of a panel: in the triangle that holds it or is nearest to do so */
+/* place and normal of the cloth at a point of a panel: in the triangle that holds the point, or comes nearest to it */
 static void cloth_at(const mus_cloth *cloth, const double *x, const double *normals, int32_t panel, const double *xy,
                      double *place, double *normal)
 {

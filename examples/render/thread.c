@@ -14,7 +14,7 @@
 #include <string.h>
 
 #define TEXEL 0.001                  /* [m] side of a texel; chosen: finer than a stitch line is wide */
-#define TEXELS_MOST 3e7              /* of a map, 120 MB; a larger cloth has larger texels */
+#define TEXELS_MOST 3e7              /* of a map: 120 MB, 240 more while it is made; a larger cloth has larger texels */
 #define SIDE_MOST 8192               /* of a texture, in texels: what OpenGL 3.3 devices have room for */
 #define APART 4                      /* texels between panels, so that none shows at the rim of another */
 #define STITCH 0.004                 /* [m] from stitch to stitch: 2.5 to the centimetre, as topstitches are */
@@ -199,6 +199,9 @@ int render_thread_make(render *r, const render_mesh *m, render_part *part, rende
     thread_map map = {.texel = TEXEL};
     int rc = -1;
     if (thread_boxes(&map, m)) goto done;
+    for (int32_t i = 0; i < map.islands; i++)
+        for (int k = 0; k < 2; k++)
+            map.texel = fmax(map.texel, (map.island[i].high[k] - map.island[i].low[k]) / SIDE_MOST);
     while (!thread_pack(&map)) map.texel *= 1.25;
     const size_t texels = (size_t)map.side[0] * (size_t)map.side[1];
     map.rgba = calloc(texels, 4);

@@ -4,8 +4,8 @@
  * Each edge of an outline is drawn by what it is. A seam is a groove; a zip has a row of stitches on both sides; a
  * front with buttons shows the edge of its lap and, on the other side, its facing's stitches. A free edge is folded
  * and stitched: a hem at the depth of its allowance, a narrow edge close to it. Neighbours of one look are one line.
- * Marks of pockets, welts, flaps and slits are drawn as a seam with stitches. Each mark "button" becomes a button that
- * lies on the cloth.
+ * Marks of pockets, welts, flaps and slits are drawn as a seam with stitches. A mark "button" or "buttonhole" becomes
+ * a button on the cloth; one on an underlap, which is not draped, is hidden.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -25,6 +25,7 @@
 #define STAND 0.0175         /* [m] half the width of a button stand, as the designs draft it */
 #define BUTTON 0.0057        /* [m] radius of a button: size 18, that of shirts (ISO 3635 gives 11.4 mm) */
 #define BUTTON_APART (2.0 * BUTTON) /* nearer ones would overlap: both fronts, both ends of a stand mark the same one */
+#define BUTTON_OFF 0.003     /* [m] a mark farther off the cloth is on an underlap; chosen: above a curved edge's sag */
 #define RAYS 20              /* corners of a button's rims */
 #define RINGS 5
 #define TURN 6.28318530717958647693 /* [rad] */
@@ -181,15 +182,15 @@ static void patch_lines(stitches *s, const mus_pattern *pattern, int32_t mark)
 
 /* ---- buttons ---- */
 
-/* place and normal of the cloth at a point of a panel: in the triangle that holds the point, or comes nearest to it */
-static void cloth_at(const mus_cloth *cloth, const double *x, const double *normals, int32_t panel, const double *xy,
+/* place and normal of the cloth at a point of a panel; false where the point lies off the cloth */
+static bool cloth_at(const mus_cloth *cloth, const double *x, const double *normals, int32_t panel, const double *xy,
                      double *place, double *normal)
 {
     int32_t range[4] = {0};
     double best = -1e30, share[3] = {1.0, 0.0, 0.0};
     const double *rest = mus_cloth_rest(cloth);
     const int32_t *triangles = mus_cloth_triangles(cloth), *found = NULL;
-    if (mus_cloth_panel_range(cloth, panel, range) != MUS_OK) return;
+    if (mus_cloth_panel_range(cloth, panel, range) != MUS_OK) return false;
     for (int32_t t = range[2]; t < range[2] + range[3]; t++) {
         const int32_t *c = triangles + 3 * (ptrdiff_t)t;
         const double *a = rest + 2 * (ptrdiff_t)c[0], *b = rest + 2 * (ptrdiff_t)c[1], *d = rest + 2 * (ptrdiff_t)c[2];
@@ -210,6 +211,7 @@ static void cloth_at(const mus_cloth *cloth, const double *x, const double *norm
             normal[k] += share[i] * normals[3 * (ptrdiff_t)found[i] + k];
         }
     }
+    return best * mus_cloth_spacing(cloth) > -BUTTON_OFF;
 }
 
 
@@ -255,9 +257,9 @@ static void buttons_make(stitches *s, const mus_pattern *pattern, const mus_clot
         const char *name = NULL;
         const double *xy = NULL;
         double place[3] = {0}, normal[3] = {0};
-        if (mus_pattern_mark(pattern, i, &panel, &name, &n, &xy) != MUS_OK || n != 1 || strcmp(name, "button") != 0)
-            continue;
-        cloth_at(cloth, x, normals, panel, xy, place, normal);
+        if (mus_pattern_mark(pattern, i, &panel, &name, &n, &xy) != MUS_OK || n != 1) continue;
+        if (strcmp(name, "button") != 0 && strcmp(name, "buttonhole") != 0) continue;
+        if (!cloth_at(cloth, x, normals, panel, xy, place, normal)) continue;
         bool there = false;
         for (int32_t b = 0; b < s->buttons.vertex_count && !there; b += each) {
             const double *other = s->button_places + 3 * (ptrdiff_t)b;

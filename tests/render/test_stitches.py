@@ -49,6 +49,16 @@ def test_a_front_has_its_buttons_one_below_the_other(tmp_path):
     assert len(buttons) == len(heights) >= 4
 
 
+def test_a_band_that_closes_shows_one_button(tmp_path):
+    pattern = drafted(tmp_path, "jeans")
+    assert {mark["name"] for mark in pattern["marks"]} >= {"button", "buttonhole"}
+    rows = shown(tmp_path, "--design", "jeans", "--colour", "#181818", "--view", "0,0")
+    bright, middle = rows.min(axis=2), rows.shape[1] // 2
+    cloth = np.flatnonzero((bright[:, middle - 25] < 90) & (bright[:, middle + 25] < 90))
+    band = bright[cloth[0] + 2:cloth[0] + 14, middle - 45:middle + 45].max(axis=0)
+    assert len(runs(band > 120)) == 1
+
+
 def test_a_hem_is_stitched_at_its_depth(tmp_path):
     pattern = drafted(tmp_path, "straight_skirt_knee")
     front = next(k for k, panel in enumerate(pattern["panels"]) if "front" in panel["name"])

@@ -48,8 +48,10 @@ class Headers:
 
     def read(self, header, text):
         text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S).replace("\\\n", " ")
-        for name, value in re.findall(r"^#define (MUS_\w+) \(?(-?\d+)\)?[ \t]*$", text, re.M):
-            self.constants[name] = int(value)
+        for name, value in re.findall(r"^#define (MUS_\w+) \(?(-?\d+|0x[0-9a-f]+)\)?[ \t]*$", text, re.M):
+            self.constants[name] = int(value, 0)
+        unread = set(re.findall(r"^#define (MUS_\w+)[ \t]+\S", text, re.M)) - {"MUS_API"} - set(self.constants)
+        assert not unread, f"{header}.h: cannot read the value of {', '.join(sorted(unread))}"
         self.read_lists(text)
         text = re.sub(r"^\s*#.*$", "", text, flags=re.M)
         for name in re.findall(r"typedef struct (mus_\w+) \1;", text):
@@ -207,10 +209,10 @@ def render_json(headers):
 
 def render_baseline(headers):
     """What a program that is linked against this ABI relies on, a sorted line each. The size of a struct is not in it:
-    fields may be added at its end. Nor are the lengths of lists that may grow."""
+    fields may be added at its end. The number of entries of a list, which may grow, has its name alone."""
     lines = [f"handle {name}" for name in headers.handles]
-    lines += [f"constant {name} {value}" for name, value in headers.constants.items()
-              if not name.endswith("_COUNT") and not name.startswith("MUS_VERSION_")]
+    lines += [f"constant {name}" if name.endswith("_COUNT") else f"constant {name} {value}"
+              for name, value in headers.constants.items() if not name.startswith("MUS_VERSION_")]
     lines += [f"callback {name} {result} ({', '.join(kind for kind, _ in arguments)})"
               for name, (result, arguments) in headers.callbacks.items()]
     for name, fields in headers.structs.items():

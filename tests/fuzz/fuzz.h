@@ -26,7 +26,7 @@
     X(catalogue, "a catalogue file: opened, searched, added to")                                                       \
     X(batch, "a list of a batch, and the part of a garment of an earlier run")                                         \
     X(words, "words of a design: spelled, spelled again, drafted")                                                     \
-    X(edits, "numbers of edits and of their cells: on a drafted skirt, with undo and redo")                            \
+    X(edits, "a design, numbers of edits and of their cells: with undo and redo, and all of them undone")              \
     X(defs, "words of option structs: of fabric, cloth and drape, with some of their words overwritten")               \
     X(options, "words of every other option struct, and numbers of setters")                                           \
     X(calls, "numbers of calls: on contexts, tapes, bodies, patterns, cloths, drapes, any order")                      \

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "muslin/exchange.h"
 #include "muslin/print.h"
 
 #define CALLS 24 /* at most: an input then takes milliseconds, under the sanitizers half a second */
@@ -46,13 +47,39 @@ void fuzz_words(const uint8_t *bytes, size_t size)
 }
 
 
+/* edits that draw lines: of one to three points and of any kinds of piece */
+static mus_status edit_line(mus_pattern *p, fuzz_input *in, int32_t number, int32_t a, int32_t b, double s, double t)
+{
+    int32_t kinds[4], notch;
+    double xy[8];
+    mus_cut_def cut;
+    mus_cut_def_init(&cut, sizeof cut);
+    for (int i = 0; i < 4; i++) kinds[i] = fuzz_below(in, MUS_PIECE_ARC + 1);
+    for (int i = 0; i < 8; i++) xy[i] = fuzz_real(in, -0.4, 0.6);
+    cut.name = "part", cut.seam_name = "cut";
+    cut.edge_a = a, cut.edge_b = b, cut.s_a = s, cut.s_b = t;
+    cut.npiece = fuzz_below(in, 4), cut.nxy = fuzz_below(in, 4);
+    cut.kinds = kinds, cut.xy = xy;
+    switch (number) {
+    case 20: return mus_pattern_separate(p, &cut, NULL, NULL);
+    case 21: return mus_pattern_dart_to_seam(p, &cut, NULL, &notch);
+    case 22: return mus_pattern_redraw_edge(p, a, cut.npiece, kinds, cut.nxy, xy);
+    case 23: return mus_pattern_add_patch(p, b, "patch", 4, xy, NULL);
+    default: return mus_pattern_move_control(p, a, cut.npiece, xy[0], xy[1]);
+    }
+}
+
+
 /* one edit of the number, at cells and places of the bytes */
 static mus_status edit(mus_pattern *p, fuzz_input *in)
 {
-    const int32_t number = (int32_t)fuzz_take(in, 1) % 20, edges = mus_pattern_edge_count(p);
-    const int32_t a = fuzz_below(in, edges), b = fuzz_below(in, edges);
+    const int32_t number = (int32_t)fuzz_take(in, 1) % 32, edges = mus_pattern_edge_count(p);
+    const int32_t a = fuzz_below(in, edges), b = fuzz_below(in, edges), pair[2] = {b, a};
     const int32_t panel = fuzz_below(in, mus_pattern_panel_count(p)), seam = fuzz_below(in, mus_pattern_seam_count(p));
     const double s = fuzz_real(in, 0.0, 0.5), t = fuzz_real(in, -0.05, 0.3), at[2] = {fuzz_real(in, -0.5, 0.5), s};
+    const double two[2] = {s, t}, rest[2] = {t, 0.02};
+    double angle, width, depth;
+    mus_seam_walk walk;
     switch (number) {
     case 0: return mus_pattern_undo(p);
     case 1: return mus_pattern_redo(p);
@@ -73,21 +100,42 @@ static mus_status edit(mus_pattern *p, fuzz_input *in)
     case 16: return mus_pattern_split_edge(p, a, s, NULL, NULL);
     case 17: return mus_pattern_merge_edges(p, a, NULL);
     case 18: return mus_pattern_true_seam(p, seam, a, b % 2);
-    default: return mus_pattern_notch_seam(p, a, s, 1);
+    case 19: return mus_pattern_notch_seam(p, a, s, 1);
+    case 25: return mus_pattern_split_dart(p, a, 2, pair, two, rest, b, NULL);
+    case 26: return mus_pattern_merge_darts(p, a, b, b, NULL);
+    case 27: return mus_pattern_lay_pleats(p, a, 2, two, rest);
+    case 28: return mus_pattern_lengthen(p, panel, at, two, t);
+    case 29: return mus_pattern_fair_edge(p, a, t);
+    case 30: return mus_pattern_dart(p, a, &angle, &width, &depth);
+    case 31: mus_seam_walk_init(&walk, sizeof walk); return mus_pattern_walk_seam(p, seam, &walk);
+    default: return edit_line(p, in, number, a, number == 23 ? panel : b, s, t);
     }
+}
+
+
+/* the pattern's file */
+static char *written(const mus_pattern *pattern, size_t *length)
+{
+    char *text;
+    fuzz_must(mus_pattern_write_bytes(pattern, &text, length) == MUS_OK, "an edited pattern is written");
+    return text;
 }
 
 
 void fuzz_edits(const uint8_t *bytes, size_t size)
 {
+    static const char *const designs[] = {"skirt", "tshirt", "jeans", "shirt"};
     mus_context *context = fuzz_context();
     mus_tape *tape;
     mus_pattern *pattern;
     fuzz_input in = {bytes, size};
+    const char *design = designs[fuzz_take(&in, 1) % 4];
     fuzz_must(mus_tape_create(context, &tape) == MUS_OK && mus_tape_set_size(tape, "W40") == MUS_OK, "a tape is made");
-    fuzz_must(mus_design_draft(context, mus_design_find("skirt"), tape, NULL, &pattern) == MUS_OK,
-              "a skirt is drafted");
-    fuzz_must(mus_pattern_keep_history(pattern, 10) == MUS_OK, "a history is kept");
+    fuzz_must(mus_design_draft(context, mus_design_find(design), tape, NULL, &pattern) == MUS_OK,
+              "a design is drafted");
+    fuzz_must(mus_pattern_keep_history(pattern, CALLS) == MUS_OK, "a history is kept");
+    size_t drafted_length, length;
+    char *drafted = written(pattern, &drafted_length);
     for (int i = 0; i < CALLS && in.left > 0; i++) {
         const mus_status status = edit(pattern, &in);
         fuzz_must(status == MUS_OK || mus_context_error(context)[0] != '\0', "a refusal has a sentence");
@@ -96,6 +144,11 @@ void fuzz_edits(const uint8_t *bytes, size_t size)
     fuzz_must(mus_pattern_check(pattern, &faults, NULL) == MUS_OK, "an edited pattern can be checked");
     while (mus_pattern_undo_count(pattern) > 0)
         fuzz_must(mus_pattern_undo(pattern) == MUS_OK, "an edit that is counted is undone");
+    char *undone = written(pattern, &length);
+    fuzz_must(length == drafted_length && memcmp(undone, drafted, length) == 0,
+              "all edits undone, the pattern is as it was drafted");
+    mus_context_alloc(context, undone, 0);
+    mus_context_alloc(context, drafted, 0);
     mus_pattern_destroy(pattern);
     mus_tape_destroy(tape);
     fuzz_context_end(context);

@@ -11,7 +11,7 @@ set -eu
 build="gcc libc6-dev make pkgconf libpng-dev libegl-dev libgl-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcairo2-dev
        libpango1.0-dev libjansson-dev libyaml-dev libexpat1-dev libsqlite3-dev"
 test="check poppler-utils mandoc python3 python3-pytest python3-numpy python3-scipy python3-cffi luajit g++ locales
-      fonts-dejavu-core fonts-tlwg-loma-otf fonts-vlgothic"
+      abigail-tools fonts-dejavu-core fonts-tlwg-loma-otf fonts-vlgothic"
 ci="clang libclang-rt-dev cmake"
 fuzz="clang libclang-rt-dev"
 ports="clang qemu-user gcc-i686-linux-gnu libc6-dev-i386-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross

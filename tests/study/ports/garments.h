@@ -29,7 +29,7 @@
     G(straight_skirt_high, W50, 32) G(a_line_skirt_high, W40, 64) G(half_skirt_contour, W34, 32)                       \
     G(box_skirt_high, W50, 64) G(tiered_skirt_elastic_mini, W40, 32) G(full_skirt_elastic_knee, W34, 64)               \
     G(half_skirt_elastic_mini, W50, 32) G(tube_skirt, W40, 64) G(palazzo, W34, 32) G(straight_bermudas, C116, 64)      \
-    G(tapered_capri, M50, 64) G(flare_ankle, M58, 64) G(wide_bermudas, W40, 32) G(culotte_bermudas, M46, 64)           \
+    G(tapered_capri, M50, 64) G(bootcut_ankle, M58, 64) G(wide_bermudas, W40, 32) G(culotte_bermudas, M46, 64)         \
     G(straight_trousers_low, W40, 64) G(straight_elastic_bermuda, W40, 32) G(wide_elastic_bermuda, C116, 64)           \
     G(little_black_dress, W34, 32) G(pencil_sweetheart_sleeveless, W34, 32) G(a_line_v_sleeveless, W34, 64)            \
     G(swing_square_sleeveless, W34, 64) G(gathered_jewel_sleeveless, W34, 32) G(gathered_scoop_sleeveless, W50, 64)    \

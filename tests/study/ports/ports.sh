@@ -24,7 +24,7 @@ build()
 {
     rm -rf "${out:?}/$1"
     mkdir -p "$out/$1"
-    ls lib/*/*.c tests/study/ports/figures.c tests/study/ports/hashes.c | grep -vE '^lib/(file|print|cutter|sewing|exchange|meshfile|trade|seam|valentina|catalogue)/' |
+    ls lib/*/*.c tests/study/ports/figures.c tests/study/ports/hashes.c | grep -vE '^lib/(file|print|paperfile|cutter|sewing|exchange|meshfile|trade|seam|valentina|catalogue)/' |
         xargs -P "$jobs" -I{} sh -c "$2 -std=c11 -Iinclude -Ilib -ffp-contract=off $3 -c {} \
             -o $out/$1/\$(basename {} .c).o" || return 1
     for program in figures hashes; do

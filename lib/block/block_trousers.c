@@ -330,10 +330,10 @@ mus_status mus__trousers_draft(mus_context *context, const mus__trousers_def *de
                          mus__millimetres(def->rise), mus__millimetres(def->inleg));
 
     /* forks: a twentieth of the hip in front, a tenth and 1 cm behind; wider where the thigh needs it */
-    out->front.fork = hip / 20.0;
-    out->back.fork = hip / 10.0 + 1.0 * MUS__CM;
+    out->front.fork = def->fork * hip / 20.0;
+    out->back.fork = def->fork * (hip / 10.0 + 1.0 * MUS__CM);
     const double clear = 0.5 * (hip + def->hip_ease) + out->front.fork + out->back.fork;
-    const double lack = fmax(0.0, def->thigh + 3.0 * MUS__CM - clear);
+    const double lack = fmax(0.0, def->thigh - clear);
     out->front.fork += 0.3 * lack;
     out->back.fork += 0.7 * lack;
     out->thigh = clear + lack;

@@ -14,7 +14,8 @@ typedef struct mus__trousers_def {
     double top;                  /* level of the top edge at centre front */
     double rise;                 /* crotch line below the natural waist, its ease included */
     double inleg;                /* crotch line to hem */
-    double thigh;                /* girth of the body that the crotch line must clear by 3 cm */
+    double thigh;                /* girth that the crotch line has at least */
+    double fork;                 /* part of the usual widths of the forks: 1, less for cloth that stretches */
     double knee[2], hem[2];      /* widths of front and back, across */
     double end;                  /* where the leg ends, as a part of inleg: 1 at the hem */
     bool darts;

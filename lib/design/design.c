@@ -40,6 +40,7 @@ static void design_eases(mus__half *half)
         half->bust_ease = fmin(half->bust_ease, k);
     if (garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_TROUSERS)
         half->waist_ease = fmin(2.0 * MUS__CM, 0.1 * fmax(0.0, m[MUS_MEASURE_HIP] - m[MUS_MEASURE_WAIST]));
+    if (mus__trousers_close(half)) half->hip_ease = (MUS__CLOSE_GIRTH - 1.0) * m[MUS_MEASURE_HIP];
 
     /* the caller's ease is that of the bust (skirts and trousers: hip); waist and hip keep their distance from it */
     if (isnan(half->def.ease)) return;

@@ -94,9 +94,9 @@ const mus__design_row mus__designs_lower[] = {
     {"palazzo", "trousers", "Palazzo trousers", "trousers leg=wide rise=high ease=loose", W},
     {"bell_bottoms", "jeans", "Bell bottoms", "trousers leg=flare rise=low band=contour", W | M},
     {"joggers", "joggers", "Joggers", "trousers leg=jogger band=elastic cloth=knit", W | M | C},
-    {"leggings", "leggings", "Leggings", "trousers leg=tapered leg_length=ankle cloth=knit ease=slim closure=none", W},
+    {"leggings", "leggings", "Leggings", "trousers leg=tapered leg_length=ankle band=elastic cloth=knit ease=slim", W},
     {"cycling_shorts", "leggings", "Cycling shorts",
-     "trousers leg=tapered leg_length=bermuda cloth=knit ease=slim closure=none", W},
+     "trousers leg=tapered leg_length=bermuda band=elastic cloth=knit ease=slim", W},
     {"culottes", "culottes", "Culottes", "trousers leg=culotte leg_length=capri", W},
     {"pyjama_trousers", "nightwear", "Pyjama trousers", "trousers band=elastic ease=loose", W | M | C},
     {"pyjama_shorts", "nightwear", "Pyjama shorts", "trousers leg_length=short band=elastic ease=loose", W | M | C},
@@ -133,8 +133,8 @@ const mus__design_row mus__designs_lower[] = {
     {"faced_trousers", "trousers", "Trousers without a band", "trousers leg=tapered leg_length=ankle band=facing", W},
     {"harem_elastic", "harem", "Harem trousers with elastic", "trousers leg=harem band=elastic", W | M},
     {"capri_leggings", "leggings", "Capri leggings",
-     "trousers leg=tapered leg_length=capri cloth=knit ease=slim closure=none", W},
-    {"yoga_flare", "leggings", "Flared leggings", "trousers leg=flare cloth=knit ease=slim closure=none", W},
+     "trousers leg=tapered leg_length=capri band=elastic cloth=knit ease=slim", W},
+    {"yoga_flare", "leggings", "Flared leggings", "trousers leg=flare band=elastic cloth=knit ease=slim", W},
 };
 
 const int32_t mus__designs_lower_count = (int32_t)(sizeof mus__designs_lower / sizeof mus__designs_lower[0]);

@@ -55,7 +55,7 @@ static const struct {
     {{"leg=bootcut,flare", "leg_length=short,bermuda"}, "it widens below the knee"},
     {{"leg=culotte", "leg_length=short,ankle,full"}, "it ends at the calf"},
     {{"leg=jogger,harem", "leg_length=short,bermuda,capri"}, "its rib holds at the ankle"},
-    {{"band=elastic", "leg=tapered,bootcut,flare,culotte"}, "the top edge does not pass the hips"},
+    {{"band=elastic", "leg=tapered,bootcut,flare,culotte", "cloth=woven"}, "the top edge does not pass the hips"},
 
     /* not counted */
     {{"closure=none", "band!=elastic,none", "garment=skirt,trousers", "cloth=woven"}, "a fitted band needs an opening"},

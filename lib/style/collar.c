@@ -22,6 +22,23 @@ static double collar_height(const mus__half *half)
 }
 
 
+/* height above the floor of the highest corner of the panels at the neckline where they are placed [m] */
+static double collar_over(const mus__half *half, const mus__boundary *loop)
+{
+    const mus__board *board = &half->board;
+    double high = 0.0;
+    for (int32_t i = 0; i < board->nside; i++)
+        for (int32_t k = 0; k < loop->n; k++) {
+            const int32_t panel = board->side[i].panel;
+            if (panel == MUS_NONE || panel != board->side[loop->side[k]].panel) continue;
+            const mus_placement *place = &board->panel[panel].attr.placement;
+            const double *at = mus__board_start(board, i);
+            high = fmax(high, place->origin[1] + place->rotation[3] * at[0] + place->rotation[4] * at[1]);
+        }
+    return high;
+}
+
+
 /* places a ring round the neck outside the panels that it is sewn to */
 static double collar_girth(const mus__half *half, const mus__neck *neck)
 {
@@ -83,23 +100,25 @@ static int32_t collar_stand(mus__half *half, mus__neck *neck, double height, dou
 }
 
 
-/* stand and leaf; the leaf starts turned down outside the stand, both so high that the body's panels pass below it */
+/* stand and leaf; the leaf starts turned down outside the stand, both so high that the panels at the neckline, which
+ * are drawn back over the shoulders as these are sewn, pass below the points of the leaf */
 static void collar_shirt(mus__half *half, mus__neck *neck)
 {
     mus__board *board = &half->board;
     const double k = mus__measures_scale(&half->measures), height = 3.0 * k * MUS__CM;
-    const double fall = height + 1.2 * k * MUS__CM;
+    const double fall = height + 1.2 * k * MUS__CM, point = 7.0 * k * MUS__CM;
+    const double above = fmax(fall, collar_over(half, &neck->loop) + point - height - collar_height(half));
     mus__stand stand;
     mus__leaf leaf;
     int32_t sides[4], leaf_sides[4];
-    collar_stand(half, neck, height, fall, &stand, sides);
+    collar_stand(half, neck, height, above, &stand, sides);
     if (board->status != MUS_OK) return;
 
     /* the ends of the stand lap over the centre front as the fronts do */
     mus__closure_button(board, sides[1], 0.0, "button");
     mus__closure_lap(board, sides[1], MUS__BUTTON_STAND, "stand end");
     const mus__leaf_def def = {.length = stand.top_length, .fall = fall,
-                               .point = 7.0 * k * MUS__CM, .rise = -1.0 * k * MUS__CM};
+                               .point = point, .rise = -1.0 * k * MUS__CM};
     board->status = mus__leaf_draft(half->context, &def, &leaf);
     if (board->status != MUS_OK) return;
 
@@ -112,7 +131,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     const int32_t panel = collar_band(half, "collar_leaf", &inner, &outer, neck->back_open, leaf_sides);
     mus__board_sew(board, 1, leaf_sides, 1, &sides[2]);
     mus__panel_place_ring(half, panel, neck->back_open, collar_girth(half, neck) + 6.0 * MUS__CM,
-                          collar_height(half) + fall + height);
+                          collar_height(half) + above + height);
     if (board->status != MUS_OK) return;
 
     /* about its inner edge: y and the right side the other way */

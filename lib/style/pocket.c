@@ -2,7 +2,7 @@
  * pocket.c: pockets: where they go on the half, and on the whole garment the pieces themselves.
  *
  * A patch lies on another panel; at three of its edges three sheets meet (board_patch_panel.c). On the half a pocket is
- * a mark of 13 x 15 cm, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
+ * a mark, on the chest, below the hip line behind, on the thigh of the front of a skirt. On the whole garment each mark
  * gets a panel; the mark stays and shows where to sew it. A panel that is too small for the pocket keeps the mark
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
@@ -39,20 +39,35 @@ static void pocket_within(mus__half *half, int32_t panel, double *xy)
 }
 
 
-/* marks a pocket; centre (x, y) of its top, a back is drawn at x < 0. Patch 13 x 15, welt 14 x 2, flap 15 x 5.5 cm */
+typedef struct pocket_kind {
+    const char *name;
+    double width, height; /* [cm] */
+} pocket_kind;
+
+
+/* a patch of a shirt holds a card, one of jeans a hand, as the trade has them: 11.5 x 13, 14 x 15 cm */
+static pocket_kind pocket_of(const mus__half *half)
+{
+    static const pocket_kind kinds[] = {
+        {"", 0.0, 0.0}, {"pocket", 13.0, 15.0}, {"welt", 14.0, 2.0}, {"flap", 15.0, 5.5}};
+    static const pocket_kind chest = {"pocket", 11.5, 13.0}, seat = {"pocket", 14.0, 15.0};
+    const int32_t garment = half->style.option[MUS__AXIS_GARMENT], kind = half->style.option[MUS__AXIS_POCKET];
+    if (kind != MUS__POCKET_PATCH || garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_DRESS) return kinds[kind];
+    return garment == MUS__GARMENT_TOP ? chest : seat;
+}
+
+
+/* marks a pocket; centre (x, y) of its top, a back is drawn at x < 0 */
 static void pocket_mark(mus__half *half, const char *name, double x, double y)
 {
-    static const struct {
-        const char *name;
-        double width, height; /* [cm] */
-    } pockets[] = {{"", 0.0, 0.0}, {"pocket", 13.0, 15.0}, {"welt", 14.0, 2.0}, {"flap", 15.0, 5.5}};
-    const int32_t panel = mus__board_find_panel(&half->board, name), kind = half->style.option[MUS__AXIS_POCKET];
+    const int32_t panel = mus__board_find_panel(&half->board, name);
     if (half->board.status != MUS_OK || panel == MUS_NONE) return;
-    const double scale = mus__lower_scale(half), w = 0.5 * pockets[kind].width * MUS__CM * scale;
-    const double h = pockets[kind].height * MUS__CM * scale;
+    const pocket_kind kind = pocket_of(half);
+    const double scale = mus__lower_scale(half), w = 0.5 * kind.width * MUS__CM * scale;
+    const double h = kind.height * MUS__CM * scale;
     double xy[10] = {x - w, y, x - w, y - h, x + w, y - h, x + w, y, x - w, y};
     pocket_within(half, panel, xy);
-    mus__board_mark_add(&half->board, panel, pockets[kind].name, 5, xy);
+    mus__board_mark_add(&half->board, panel, kind.name, 5, xy);
 }
 
 
@@ -67,7 +82,7 @@ void mus__pocket_attach(mus__half *half)
     const double top = patch ? 0.26 * scale : hips ? -0.2 * m[MUS_MEASURE_WAIST_TO_HIP] : 0.05 * scale;
     switch (half->style.option[MUS__AXIS_GARMENT]) {
     case MUS__GARMENT_TROUSERS:
-    case MUS__GARMENT_JUMPSUIT: pocket_mark(half, "leg_back", -0.13 * hip, low); break;
+    case MUS__GARMENT_JUMPSUIT: pocket_mark(half, "leg_back", (patch ? -0.11 : -0.13) * hip, low); break;
     case MUS__GARMENT_SKIRT:
     case MUS__GARMENT_DRESS: pocket_mark(half, "skirt_front", 0.13 * hip, low); break;
     case MUS__GARMENT_TOP: pocket_mark(half, "front", (patch ? 0.11 : 0.14) * m[MUS_MEASURE_BUST], top); break;

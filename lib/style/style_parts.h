@@ -32,6 +32,11 @@ void mus__skirt_attach(mus__half *half);
 /* trousers.c: the left leg: front and back, sewn at inseam and outseam, crotch edges MUS__CENTRE_SEAM; that of a
  * jumpsuit is sewn to the waist of the bodice */
 void mus__trousers_attach(mus__half *half);
+/* whether they are leggings: close trousers of a knit, which stretches all round the leg */
+bool mus__trousers_close(const mus__half *half);
+
+/* girths of leggings over those of the body; chosen: jersey clings there and still goes on */
+#define MUS__CLOSE_GIRTH 0.92
 
 /* waistband.c: waistband or facing of a skirt or trousers */
 void mus__band_attach(mus__half *half);

@@ -5,6 +5,7 @@
  *   tapered   knee + 3, hem as the foot allows             culotte  wider still below
  *   bootcut   hem 5 cm wider than the knee                 jogger   hem gathered into a rib
  *   flare     hem 15 cm wider                              harem    crotch 10 cm lower, gathered into a rib
+ *   leggings  close trousers of a knit: hip, thigh, knee and ankle narrower than the body, no ease in the rise
  *
  * Front and back are sewn at inseam and outseam; the crotch sides are centre seams, which the doubling sews. Under a
  * bodice the waist is sewn to its waist, the rise 3 cm longer, since shoulder and crotch are then tied to each other.
@@ -19,6 +20,14 @@
 
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
 #define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
+#define CLOSE_FORK 0.6 /* forks of leggings over those of trousers; chosen: their crotch line has 0.97 of the thigh */
+
+
+bool mus__trousers_close(const mus__half *half)
+{
+    return mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TROUSERS) &&
+           mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT) && mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_SLIM);
+}
 
 
 /* garment girths of knee and hem of legs that follow the leg; what the crotch line has for those that hang from it */
@@ -52,6 +61,10 @@ static void trousers_leg(const mus__half *half, mus__trousers_def *def)
     case MUS__LEG_HAREM: mus__trousers_widths(def, 0.72 * (front + back), 0.55 * (front + back)); break;
     default: break;
     }
+    if (!mus__trousers_close(half)) return;
+    const bool follows = half->style.option[MUS__AXIS_LEG] == MUS__LEG_TAPERED;
+    mus__trousers_widths(def, MUS__CLOSE_GIRTH * fmax(m[MUS_MEASURE_KNEE], m[MUS_MEASURE_CALF]),
+                         follows ? MUS__CLOSE_GIRTH * m[MUS_MEASURE_ANKLE] : def->hem[0] + def->hem[1]);
 }
 
 
@@ -69,6 +82,7 @@ static mus__trousers_def trousers_block(const mus__half *half)
     static const double end[] = {1.0, 0.16, 0.40, 0.68, 0.91};
     const double *m = half->measures.v, level = mus__lower_level(half), scale = mus__lower_scale(half);
     const int32_t leg = half->style.option[MUS__AXIS_LEG], length = half->style.option[MUS__AXIS_LEG_LENGTH];
+    const bool close = mus__trousers_close(half);
     mus__trousers_def def;
     memset(&def, 0, sizeof def);
     def.waist = m[MUS_MEASURE_WAIST];
@@ -80,16 +94,18 @@ static mus__trousers_def trousers_block(const mus__half *half)
     def.darts = true;
     if (!mus__lower_has_top(half) && half->style.option[MUS__AXIS_BAND] == MUS__BAND_ELASTIC) {
         /* drawn up by the elastic: nearly as wide as the hip, no darts */
-        const double wide = 0.25 * 0.95 * fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
+        const double wide = 0.25 * (close ? MUS__CLOSE_GIRTH : 0.95) * fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
         def.net[0] = fmax(def.net[0], wide - 0.5 * MUS__CM);
         def.net[1] = fmax(def.net[1], wide + 0.5 * MUS__CM);
         def.darts = false;
     }
 
     /* crotch and leg */
-    def.rise = m[MUS_MEASURE_RISE] + 1.0 * MUS__CM + (mus__lower_has_top(half) ? 2.0 * MUS__CM : 0.0);
-    def.inleg = m[MUS_MEASURE_INLEG] - 2.0 * MUS__CM - (def.rise - m[MUS_MEASURE_RISE] - 1.0 * MUS__CM);
-    def.thigh = m[MUS_MEASURE_THIGH];
+    const double room = (close ? 0.0 : 1.0 * MUS__CM) + (mus__lower_has_top(half) ? 2.0 * MUS__CM : 0.0);
+    def.rise = m[MUS_MEASURE_RISE] + room;
+    def.inleg = m[MUS_MEASURE_INLEG] - 2.0 * MUS__CM - fmax(0.0, room - 1.0 * MUS__CM);
+    def.thigh = close ? MUS__CLOSE_GIRTH * m[MUS_MEASURE_THIGH] : m[MUS_MEASURE_THIGH] + 3.0 * MUS__CM;
+    def.fork = close ? CLOSE_FORK : 1.0;
     trousers_leg(half, &def);
     if (leg == MUS__LEG_HAREM) {
         const double drop = 10.0 * scale * MUS__CM;

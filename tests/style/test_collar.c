@@ -3,6 +3,7 @@
  * garment has no fault, the neck edge has the length of the neckline, the opening at the neck is the collar's edge, and
  * the topology of hood, turtleneck and raglan is as counted by hand.
  */
+#include <math.h>
 #include <stdio.h>
 
 #include "muslin/topology.h"
@@ -157,6 +158,38 @@ START_TEST(rows_of_the_reference)
 END_TEST
 
 
+/* lowest or highest corner of a panel above the floor where it is placed */
+static double corner_of(const mus__board *board, const char *panel, bool low)
+{
+    const int32_t p = mus__board_find_panel(board, panel);
+    const mus_placement *place = &board->panel[p].attr.placement;
+    double height = low ? INFINITY : -INFINITY;
+    for (int32_t i = 0; i < board->nside; i++) {
+        const double *at = mus__board_start(board, i);
+        if (board->side[i].panel != p) continue;
+        const double y = place->origin[1] + place->rotation[3] * at[0] + place->rotation[4] * at[1];
+        height = low ? fmin(height, y) : fmax(height, y);
+    }
+    return height;
+}
+
+
+/* the fronts and the back are drawn over the shoulders below the points of a turned-down collar, not over them */
+START_TEST(a_turned_collar_starts_above_the_shoulders)
+{
+    mus_context *context = support_context();
+    mus__half half;
+    shirt_of(context, sizes[_i], 2, MUS__SLEEVE_LONG, 0.0, &half);
+    mus__collar_attach(&half);
+    const double tip = corner_of(&half.board, "collar_leaf", true);
+    ck_assert_double_ge(tip, corner_of(&half.board, "front", false) - 0.7 * CM); /* the point rises by 0.6 cm */
+    ck_assert_double_ge(tip, corner_of(&half.board, "back", false) - 0.7 * CM);
+    mus__board_free(&half.board);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a half without a neckline is refused */
 START_TEST(no_neckline_no_collar)
 {
@@ -181,6 +214,7 @@ Suite *mus_suite_collar(void)
     tcase_add_loop_test(tcase, every_collar_is_a_clean_shirt, 0, SIZES);
     tcase_add_loop_test(tcase, collars_are_as_long_as_the_neckline, 0, SIZES);
     tcase_add_loop_test(tcase, rows_of_the_reference, 0, 5);
+    tcase_add_loop_test(tcase, a_turned_collar_starts_above_the_shoulders, 0, SIZES);
     tcase_add_test(tcase, no_neckline_no_collar);
     suite_add_tcase(suite, tcase);
     return suite;

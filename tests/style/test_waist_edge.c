@@ -4,6 +4,7 @@
  * waist and the hems open. Topologies are counted by hand; circles have the radii and areas of an independent
  * drafting script.
  */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -226,6 +227,48 @@ START_TEST(dresses_and_jumpsuits_draft)
 END_TEST
 
 
+/* an edge of the front and that of the back of a leg together */
+static double both_legs(const mus_pattern *pattern, const char *edge)
+{
+    const int32_t front = mus_pattern_find_panel(pattern, "leg_front_left");
+    const int32_t back = mus_pattern_find_panel(pattern, "leg_back_left");
+    return mus_pattern_edge_length(pattern, mus_pattern_find_edge(pattern, front, edge)) +
+           mus_pattern_edge_length(pattern, mus_pattern_find_edge(pattern, back, edge));
+}
+
+
+/* leggings draft in every leg and length; above they are narrower than the hips, and a tapered leg ends narrower than
+ * the ankle */
+START_TEST(leggings_are_narrower_than_the_body)
+{
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, sizes[_i]);
+    const mus__measures measures = drafts_measures(context, sizes[_i]);
+    const double hip = fmax(measures.v[MUS_MEASURE_HIP], measures.v[MUS_MEASURE_WAIST]);
+    int32_t drafted = 0;
+    for (int32_t leg = MUS__LEG_STRAIGHT; leg <= MUS__LEG_FLARE; leg++)
+        for (int32_t length = 0; mus__style_word(MUS__AXIS_LEG_LENGTH, length) != NULL; length++) {
+            char words[160];
+            mus__style style;
+            mus_pattern *pattern;
+            snprintf(words, sizeof words, "trousers leg=%s leg_length=%s band=elastic cloth=knit ease=slim",
+                     mus__style_word(MUS__AXIS_LEG, leg), mus__style_word(MUS__AXIS_LEG_LENGTH, length));
+            if (mus__style_read(context, words, &style) != MUS_OK) continue;
+            const mus_status status = mus_design_draft_words(context, words, tape, NULL, &pattern);
+            ck_assert_msg(status == MUS_OK, "%s of %s: %s", words, sizes[_i], mus_context_error(context));
+            ck_assert_double_lt(2.0 * both_legs(pattern, "w1"), 0.95 * hip);
+            if (leg == MUS__LEG_TAPERED && length == MUS__LEG_LENGTH_FULL)
+                ck_assert_double_lt(both_legs(pattern, "hem"), 0.95 * measures.v[MUS_MEASURE_ANKLE]);
+            mus_pattern_destroy(pattern);
+            drafted++;
+        }
+    ck_assert_int_ge(drafted, 15);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_draft_without_memory_fails_and_leaves_nothing)
 {
     static const char *const words[] = {"skirt closure=side skirt=godet", "skirt closure=side skirt=wrap",
@@ -258,6 +301,7 @@ Suite *mus_suite_waist_edge(void)
     tcase_add_test(tcase, circles_have_their_radii);
     tcase_add_test(tcase, gathers_and_bands_have_their_lengths);
     tcase_add_loop_test(tcase, dresses_and_jumpsuits_draft, 0, SIZES);
+    tcase_add_loop_test(tcase, leggings_are_narrower_than_the_body, 0, SIZES);
     tcase_add_loop_test(tcase, a_draft_without_memory_fails_and_leaves_nothing, 0, 3);
     suite_add_tcase(suite, tcase);
     return suite;

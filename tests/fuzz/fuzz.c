@@ -108,6 +108,14 @@ void fuzz_spoil(fuzz_input *in, void *def, size_t from, size_t size)
 }
 
 
+void fuzz_path(char *template)
+{
+    const char *folder = getenv("TMPDIR");
+    const int length = snprintf(template, FUZZ_PATH, "%s/muslin-fuzz-XXXXXX", folder ? folder : "/tmp");
+    fuzz_must(length > 0 && length < FUZZ_PATH, "TMPDIR is shorter than 100 bytes");
+}
+
+
 mus_pattern *fuzz_pattern_of(mus_context *context, const uint8_t *bytes, size_t size)
 {
     mus_pattern *pattern;

@@ -59,6 +59,10 @@ double fuzz_real(fuzz_input *in, double low, double high); /* mostly within low 
 /* overwrites up to three words of a struct, from its byte `from` on: of 4 or 8 bytes, by odd numbers */
 void fuzz_spoil(fuzz_input *in, void *def, size_t from, size_t size);
 
+/* a template of mkstemp() and mkdtemp() in the folder TMPDIR, or /tmp; run.sh sets it to one in memory */
+#define FUZZ_PATH 128
+void fuzz_path(char *template);
+
 /* the pattern in the bytes, or NULL */
 mus_pattern *fuzz_pattern_of(mus_context *context, const uint8_t *bytes, size_t size);
 

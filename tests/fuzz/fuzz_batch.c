@@ -36,11 +36,12 @@ static void write_file(const char *path, const char *first, const uint8_t *bytes
 
 void fuzz_batch(const uint8_t *bytes, size_t size)
 {
-    char folder[] = "/tmp/muslin-fuzz-XXXXXX", parts[64], list[64], path[96];
+    char folder[FUZZ_PATH], parts[FUZZ_PATH + 8], list[FUZZ_PATH + 8], path[FUZZ_PATH + 16];
     complaints said;
     batch b = {.part = size % 2 ? "1/2" : NULL, .program = 1};
     batch_line g = {.name = "part", .key = KEY};
     batch_part part;
+    fuzz_path(folder);
     fuzz_must(mkdtemp(folder) != NULL, "a folder is made");
     snprintf(parts, sizeof parts, "%s/parts", folder);
     snprintf(list, sizeof list, "%s/list", folder);

@@ -307,7 +307,8 @@ static void search_and_add(mus_catalogue *catalogue, const mus_pattern *pattern)
 
 void fuzz_catalogue(const uint8_t *bytes, size_t size)
 {
-    char path[] = "/tmp/muslin-fuzz-XXXXXX";
+    char path[FUZZ_PATH];
+    fuzz_path(path);
     const int file = mkstemp(path);
     fuzz_must(file >= 0 && write(file, bytes, size) == (ssize_t)size && close(file) == 0, "a file is written");
     mus_context *context = fuzz_context();

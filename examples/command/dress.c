@@ -274,6 +274,7 @@ int dress_open(dress *d)
 {
     int code = scene_open(&d->s, "dress");
     if (code == EXIT_DONE) code = find_fabric(d);
+    d->look.fabric = d->fabric_name;
     if (code == EXIT_DONE) code = look_check(&d->s, &d->look);
     if (code == EXIT_DONE) code = fit_map_check(&d->s, d->map);
     if (code == EXIT_DONE) code = motion_check(&d->s, &d->moved);

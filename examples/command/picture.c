@@ -16,6 +16,15 @@ static const double dummy_colour[3] = {0.62, 0.57, 0.51};
 const double palette[PALETTE][3] = {{0.13, 0.24, 0.42}, {0.42, 0.12, 0.13}, {0.14, 0.30, 0.20}, {0.50, 0.36, 0.12},
                                     {0.28, 0.16, 0.34}, {0.10, 0.30, 0.36}, {0.46, 0.24, 0.16}, {0.20, 0.21, 0.24}};
 
+/* colours in which a fabric is mostly sold, linear RGB; a fabric that is not here has the first of the palette */
+static const struct {
+    const char *fabric; /* also the beginning of its name: denim_b */
+    double colour[3];
+} dyed[] = {{"denim", {0.040, 0.070, 0.145}},     {"shirting", {0.520, 0.620, 0.740}},
+            {"tropical", {0.050, 0.055, 0.075}},  {"wool", {0.105, 0.100, 0.100}},
+            {"polyester", {0.270, 0.050, 0.080}}, {"satin", {0.520, 0.380, 0.240}},
+            {"pc_twill", {0.330, 0.270, 0.160}}};
+
 
 int look_check(const scene *s, const look *l)
 {
@@ -39,11 +48,14 @@ int look_check(const scene *s, const look *l)
 }
 
 
-/* The colour of the garment worn as layer `layer`: asked for, or of the palette. */
+/* The colour of the garment worn as layer `layer`: asked for, else of the fabric for the first, else of the palette. */
 static void layer_colour(const look *l, int32_t layer, double *out)
 {
     render_error error;
     memcpy(out, palette[layer % PALETTE], sizeof palette[0]);
+    for (size_t i = 0; layer == 0 && l->fabric != NULL && i < sizeof dyed / sizeof dyed[0]; i++)
+        if (strncmp(l->fabric, dyed[i].fabric, strlen(dyed[i].fabric)) == 0)
+            memcpy(out, dyed[i].colour, sizeof palette[0]);
     if (layer < l->colours.count) render_colour_parse(l->colours.at[layer], out, &error);
 }
 

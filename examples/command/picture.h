@@ -10,7 +10,8 @@
 /* The options of a picture; NULL when not given. */
 typedef struct look {
     const char *texture, *pixels;
-    texts colours; /* of the garments, from the skin out; later ones take those of the palette */
+    texts colours; /* of the garments, from the skin out; later ones take those of the fabric and the palette */
+    const char *fabric; /* name of the cloth, which has a colour of its own; NULL: the palette's */
     texts views;
     double repeat; /* width of one repeat of the texture [m] */
     const fit_map *map; /* colours of the cloth, with a legend; NULL: none */

@@ -216,6 +216,21 @@ def test_a_picture_may_go_to_standard_output(command, tape):
     assert struct.unpack(">II", done.stdout[16:24]) == (120, 100)
 
 
+def test_a_fabric_has_the_colour_in_which_it_is_sold(command, tape, tmp_path):
+    """Without --colour; jersey, the default, has the first colour of the palette."""
+    def cloth(name, *options):
+        command("dress", "--design", "skirt", "--tape", tape, "--spacing", 60, "--glb", tmp_path / name, *options)
+        data = (tmp_path / name).read_bytes()
+        head = json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])
+        return {tuple(round(c, 3) for c in material["pbrMetallicRoughness"]["baseColorFactor"])
+                for material in head["materials"]}
+    plain = cloth("plain.glb")
+    assert cloth("jersey.glb", "--fabric", "jersey") == plain
+    denim = cloth("denim.glb", "--fabric", "denim")
+    assert len(denim - plain) == 1 and cloth("denim_b.glb", "--fabric", "denim_b") == denim
+    assert cloth("asked.glb", "--fabric", "denim", "--colour", "#678db0") != denim
+
+
 # ---- real garments: each comes to an end that has a name ----
 
 @pytest.mark.parametrize("specification, body", SAMPLE)

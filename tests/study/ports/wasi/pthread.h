@@ -7,6 +7,7 @@
 typedef int pthread_t;
 typedef int pthread_mutex_t;
 typedef int pthread_cond_t;
+typedef unsigned long pthread_attr_t; /* the size of the stack */
 
 #define PORTS_DOES_NOTHING(name) \
     static inline int name(void *object) { return object == (void *)0; }
@@ -16,6 +17,8 @@ PORTS_DOES_NOTHING(pthread_mutex_destroy)
 PORTS_DOES_NOTHING(pthread_cond_signal)
 PORTS_DOES_NOTHING(pthread_cond_broadcast)
 PORTS_DOES_NOTHING(pthread_cond_destroy)
+PORTS_DOES_NOTHING(pthread_attr_init)
+PORTS_DOES_NOTHING(pthread_attr_destroy)
 
 static inline int pthread_mutex_init(pthread_mutex_t *mutex, const void *attributes)
 {
@@ -30,6 +33,12 @@ static inline int pthread_cond_init(pthread_cond_t *condition, const void *attri
 }
 
 static inline int pthread_cond_wait(pthread_cond_t *condition, pthread_mutex_t *mutex) { return *condition + *mutex; }
+
+static inline int pthread_attr_setstacksize(pthread_attr_t *attributes, unsigned long bytes)
+{
+    *attributes = bytes;
+    return 0;
+}
 
 static inline int pthread_create(pthread_t *thread, const void *attributes, void *(*start)(void *), void *argument)
 {

@@ -206,6 +206,7 @@ static void name_make(const batch *b, batch_line *g, const dress *d)
     for (int32_t i = 0; i < d->over.count; i++) name_append_path(g->name, d->over.at[i]);
     if (whom != NULL) name_append_path(g->name, whom);
     if (from->row != NULL) name_append_path(g->name, from->row);
+    if (g->name[0] == '\0') name_append(g->name, "none", 4); /* of a path that ends in a slash */
     const size_t length = strlen(g->name);
     for (int32_t n = 2; name_taken(b, g) != NULL; n++) snprintf(g->name + length, 16, "-%d", (int)n);
 }

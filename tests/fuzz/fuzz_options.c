@@ -415,7 +415,7 @@ static void try_sheet(room *r, fuzz_input *in)
     fuzz_spoil(in, &def, 0, sizeof def);
     fuzz_spoil(in, &dxf, 0, sizeof dxf);
     fuzz_spoil(in, &plt, 0, sizeof plt);
-    def.title = def.person = NULL;
+    def.title = def.person = def.language = NULL;
     dxf.size_name = dxf.date = NULL, dxf.sheets = NULL, dxf.size_names = NULL;
     if (mus_sheet_create(r->context, pattern_of(r), &def, &sheet) != MUS_OK) return;
     if (mus_sheet_write_dxf_bytes(sheet, &dxf, &bytes, &size) == MUS_OK) mus_context_alloc(r->context, bytes, 0);
@@ -491,12 +491,47 @@ static void try_state(room *r, fuzz_input *in)
 }
 
 
+/* outlines of odd corners, or the pieces of the pattern; few steps, few runs */
+static void try_layout(room *r, fuzz_input *in)
+{
+    double xy[2][10], turns[2];
+    mus_layout_item items[2];
+    mus_layout_def def;
+    mus_layout *layout = NULL;
+    mus_layout_def_init(&def, sizeof def);
+    def.steps = 100000;
+    const bool pieces = fuzz_take(in, 1) % 4 == 0;
+    for (int i = 0; i < 2; i++) {
+        mus_layout_item_init(&items[i], sizeof items[i]);
+        for (int k = 0; k < 10; k++) xy[i][k] = fuzz_real(in, -0.5, 0.5);
+        turns[i] = fuzz_real(in, -4.0, 4.0);
+        items[i].n = 5, items[i].count = 1 + (int32_t)fuzz_take(in, 1) % 3;
+        fuzz_spoil(in, &items[i], 0, sizeof items[i]);
+        items[i].xy = xy[i], items[i].turns = turns;
+        items[i].n = items[i].n > 5 ? 5 : items[i].n;
+        items[i].turn_count = items[i].turn_count > 2 ? 2 : items[i].turn_count;
+        items[i].count = items[i].count > 30 && items[i].count <= 2000 ? 30 : items[i].count;
+    }
+    fuzz_spoil(in, &def, 0, sizeof def);
+    def.steps = def.steps > 300000 ? 300000 : def.steps;
+    def.runs = def.runs > 2 && def.runs <= 64 ? 2 : def.runs;
+    def.progress = NULL, def.user = NULL;
+    const mus_status status = pieces ? mus_layout_create(r->context, pattern_of(r), &def, &layout)
+                                     : mus_layout_create_items(r->context, 2, items, &def, &layout);
+    if (status == MUS_OK)
+        fuzz_must(mus_layout_length(layout) >= 0.0 && isfinite(mus_layout_length(layout)), "a layout has a length");
+    else
+        fuzz_must(layout == NULL && mus_context_error(r->context)[0] != '\0', "a refusal has a sentence");
+    mus_layout_destroy(layout);
+}
+
+
 void fuzz_options(const uint8_t *bytes, size_t size)
 {
     static void (*const tries[])(room *, fuzz_input *) = {
         try_body, try_limb,          try_bare,    try_draft, try_plane,     try_dress,
         try_cut,  try_edge_and_seam, try_setters, try_mesh,  try_integrate, try_manifold,
-        try_pose, try_sheet,         try_scan,    try_form,  try_tape,      try_state};
+        try_pose, try_sheet,         try_scan,    try_form,  try_tape,      try_state, try_layout};
     room r = {.context = fuzz_context()};
     fuzz_input in = {bytes, size};
     for (int i = 0; i < TRIES && in.left > 0; i++) tries[fuzz_take(&in, 1) % (sizeof tries / sizeof *tries)](&r, &in);

@@ -36,6 +36,7 @@ build()
 # NAME "RUNNER": both outputs, the garments shared out over processes, as NAME.txt
 run()
 {
+    rm -f "$out/$1".hashes.[0-9]* "$out/$1.hashes.txt" # of an earlier run
     $2 "$out/$1.figures" >"$out/$1.txt" || return 1
     seq 0 $((4 * jobs - 1)) | xargs -P "$jobs" -I{} sh -c "$2 $out/$1.hashes $garments {} $((4 * jobs)) >$out/$1.hashes.{}" || return 1
     cat "$out/$1".hashes.* | sort >"$out/$1.hashes.txt"

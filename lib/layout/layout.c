@@ -205,7 +205,7 @@ mus_status mus_layout_create_items(mus_context *context, int32_t count, const mu
     for (const mus_layout_item *item = items; layout->noutline < count && status == MUS_OK; layout->noutline++) {
         status = layout_item(layout, layout->noutline, item, &layout->outlines[layout->noutline]);
         /* items of an earlier release are shorter: the next one begins where this one ends */
-        item = (const mus_layout_item *)(const void *)((const char *)item + item->size);
+        if (status == MUS_OK) item = (const mus_layout_item *)(const void *)((const char *)item + item->size);
     }
     return layout_end(layout, status, out);
 }

@@ -516,8 +516,9 @@ static void try_layout(room *r, fuzz_input *in)
     def.steps = def.steps > 300000 ? 300000 : def.steps;
     def.runs = def.runs > 2 && def.runs <= 64 ? 2 : def.runs;
     def.progress = NULL, def.user = NULL;
+    const int32_t count = items[0].size == sizeof items[0] ? 2 : 1; /* the size is how far the next one is */
     const mus_status status = pieces ? mus_layout_create(r->context, pattern_of(r), &def, &layout)
-                                     : mus_layout_create_items(r->context, 2, items, &def, &layout);
+                                     : mus_layout_create_items(r->context, count, items, &def, &layout);
     if (status == MUS_OK)
         fuzz_must(mus_layout_length(layout) >= 0.0 && isfinite(mus_layout_length(layout)), "a layout has a length");
     else

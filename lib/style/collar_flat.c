@@ -166,28 +166,6 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 }
 
 
-/* Widens the interval y (2) [m] to the heights of the control points of a panel as it is placed. */
-static void flat_heights(const mus__board *board, int32_t panel, double *y)
-{
-    const mus_placement *place = &board->panel[panel].attr.placement;
-    for (int32_t i = 0; i < board->nside; i++) {
-        const mus__board_chain *chain = &board->side[i].chain;
-        if (board->side[i].panel != panel) continue;
-        for (int32_t k = 0; k < chain->nxy; k++) {
-            double x = chain->xy[2 * k], z = 0.0;
-            if (place->bend != 0.0) {
-                const double angle = (x - place->bend_x) / place->bend;
-                x = place->bend_x + place->bend * mus__sin(angle);
-                z = place->bend * (mus__cos(angle) - 1.0);
-            }
-            const double high = place->origin[1] + place->rotation[3] * x +
-                                place->rotation[4] * chain->xy[2 * k + 1] + place->rotation[5] * z;
-            y[0] = fmin(y[0], high), y[1] = fmax(y[1], high);
-        }
-    }
-}
-
-
 /*
  * Places the collar FLAT_ABOVE above the highest panel of the bodice, so that no panel passes through it while the
  * bodice is sewn; it falls onto the shoulders then. A flat collar on the shoulders is a cone, which is stable with its
@@ -207,7 +185,7 @@ static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
     memcpy(place->rotation, turn, sizeof turn);
     place->origin[2] = half->skeleton.shoulder_z - radius;
     place->bend = -FLAT_BEND * radius;
-    for (int32_t p = 0; p < board->npanel; p++) flat_heights(board, p, p == panel ? own : body);
+    for (int32_t p = 0; p < board->npanel; p++) mus__collar_heights(board, p, p == panel ? own : body);
     place->origin[1] = body[1] - own[0] + FLAT_ABOVE * k * MUS__CM;
 }
 

@@ -329,11 +329,14 @@ mus_status mus__trousers_draft(mus_context *context, const mus__trousers_def *de
         return mus__fail(context, MUS_ERR_DESIGN, "trousers: rise %d mm, inleg %d mm: nothing between top and hem",
                          mus__millimetres(def->rise), mus__millimetres(def->inleg));
 
-    /* forks: a twentieth of the hip in front, a tenth and 1 cm behind; wider where the thigh needs it */
-    out->front.fork = def->fork * hip / 20.0;
-    out->back.fork = def->fork * (hip / 10.0 + 1.0 * MUS__CM);
+    /* forks: a twentieth of the hip in front, a tenth and 1 cm behind; wider where the thigh needs it, narrower in a
+     * cloth that stretches round it */
+    out->front.fork = hip / 20.0;
+    out->back.fork = hip / 10.0 + 1.0 * MUS__CM;
     const double clear = 0.5 * (hip + def->hip_ease) + out->front.fork + out->back.fork;
-    const double lack = fmax(0.0, def->thigh - clear);
+    /* of both together a third is left at least */
+    const double least = def->clings ? -2.0 / 3.0 * (out->front.fork + out->back.fork) : 0.0;
+    const double lack = fmax(least, def->thigh - clear);
     out->front.fork += 0.3 * lack;
     out->back.fork += 0.7 * lack;
     out->thigh = clear + lack;

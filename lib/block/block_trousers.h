@@ -15,7 +15,7 @@ typedef struct mus__trousers_def {
     double rise;                 /* crotch line below the natural waist, its ease included */
     double inleg;                /* crotch line to hem */
     double thigh;                /* girth that the crotch line has at least */
-    double fork;                 /* part of the usual widths of the forks: 1, less for cloth that stretches */
+    bool clings;                 /* it has just that girth, as far as a third of the usual forks allows */
     double knee[2], hem[2];      /* widths of front and back, across */
     double end;                  /* where the leg ends, as a part of inleg: 1 at the hem */
     bool darts;

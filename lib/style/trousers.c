@@ -20,7 +20,6 @@
 
 #define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
 #define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
-#define CLOSE_FORK 0.6 /* forks of leggings over those of trousers; chosen: their crotch line has 0.97 of the thigh */
 
 
 bool mus__trousers_close(const mus__half *half)
@@ -105,7 +104,7 @@ static mus__trousers_def trousers_block(const mus__half *half)
     def.rise = m[MUS_MEASURE_RISE] + room;
     def.inleg = m[MUS_MEASURE_INLEG] - 2.0 * MUS__CM - fmax(0.0, room - 1.0 * MUS__CM);
     def.thigh = close ? MUS__CLOSE_GIRTH * m[MUS_MEASURE_THIGH] : m[MUS_MEASURE_THIGH] + 3.0 * MUS__CM;
-    def.fork = close ? CLOSE_FORK : 1.0;
+    def.clings = close;
     trousers_leg(half, &def);
     if (leg == MUS__LEG_HAREM) {
         const double drop = 10.0 * scale * MUS__CM;

@@ -54,13 +54,13 @@ def recorded_text(name):
 
 @pytest.fixture(autouse=True)
 def tools():
-    """Each skip is a machine that cannot see the types, and says so; .ci/run, which installs abigail-tools, skips none."""
+    """Each skip is a machine that cannot see the types, and says so. .ci/run installs abigail-tools and skips none."""
     if not shutil.which("abidiff"):
         pytest.skip("there is no abidiff (Debian: abigail-tools)")  # a package, and not every system has it
     if platform.machine() != "x86_64":
         pytest.skip("the records are of x86-64")  # sizes and offsets are other ones elsewhere
     if b".debug_info" not in subprocess.run(["readelf", "-SW", built("libmuslin")], capture_output=True).stdout:
-        pytest.skip("the library has no debug information, from which abidiff reads the types")  # CFLAGS without -g
+        pytest.skip("the library has no debug information, which has the types")  # CFLAGS without -g
 
 
 @pytest.mark.parametrize("name", LIBRARIES)

@@ -36,7 +36,6 @@ static mus__trousers_def trousers_of(const mus__measures *measures)
                              .rise = m[MUS_MEASURE_RISE] + 1.0 * CM,
                              .inleg = m[MUS_MEASURE_INLEG] - 2.0 * CM,
                              .thigh = m[MUS_MEASURE_THIGH] + 3.0 * CM,
-                             .fork = 1.0,
                              .end = 1.0,
                              .darts = true};
     mus__trousers_widths(&def, knee, fmax(knee - 4.0 * CM, 1.55 * m[MUS_MEASURE_ANKLE]));

@@ -96,6 +96,27 @@ void mus__panel_place_ring(mus__half *half, int32_t panel, bool front, double gi
 }
 
 
+void mus__panel_heights(const mus__board *board, int32_t panel, double *y)
+{
+    const mus_placement *place = &board->panel[panel].attr.placement;
+    for (int32_t i = 0; i < board->nside; i++) {
+        const mus__board_chain *chain = &board->side[i].chain;
+        if (board->side[i].panel != panel) continue;
+        for (int32_t k = 0; k < chain->nxy; k++) {
+            double x = chain->xy[2 * k], z = 0.0;
+            if (place->bend != 0.0) {
+                const double angle = (x - place->bend_x) / place->bend;
+                x = place->bend_x + place->bend * mus__sin(angle);
+                z = place->bend * (mus__cos(angle) - 1.0);
+            }
+            const double high = place->origin[1] + place->rotation[3] * x +
+                                place->rotation[4] * chain->xy[2 * k + 1] + place->rotation[5] * z;
+            y[0] = fmin(y[0], high), y[1] = fmax(y[1], high);
+        }
+    }
+}
+
+
 /* face azimuth `around` from the front to the left, leaned back from the vertical by `tilt` at its top */
 void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt, const double *origin, double bend)
 {

@@ -17,6 +17,9 @@ void mus__panel_place_arm(mus__half *half, int32_t panel, double crown_x, double
  * above the floor; `girth` of the roll [m]. */
 void mus__panel_place_ring(mus__half *half, int32_t panel, bool front, double girth, double height);
 
+/* Widens the interval y (2) [m] to the heights of the control points of a panel as it is placed. */
+void mus__panel_heights(const mus__board *board, int32_t panel, double *y);
+
 /* Turns a panel to azimuth `around` (from the front to the left), leans its top in by `tilt` [rad] and bends it by
  * radius `bend` [m]. */
 void mus__lower_place(mus__half *half, int32_t panel, double around, double tilt, const double *origin, double bend);

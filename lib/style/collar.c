@@ -11,7 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/elementary.h"
 #include "closure/closure.h"
 #include "style/collar.h"
 
@@ -23,33 +22,12 @@ static double collar_height(const mus__half *half)
 }
 
 
-void mus__collar_heights(const mus__board *board, int32_t panel, double *y)
-{
-    const mus_placement *place = &board->panel[panel].attr.placement;
-    for (int32_t i = 0; i < board->nside; i++) {
-        const mus__board_chain *chain = &board->side[i].chain;
-        if (board->side[i].panel != panel) continue;
-        for (int32_t k = 0; k < chain->nxy; k++) {
-            double x = chain->xy[2 * k], z = 0.0;
-            if (place->bend != 0.0) {
-                const double angle = (x - place->bend_x) / place->bend;
-                x = place->bend_x + place->bend * mus__sin(angle);
-                z = place->bend * (mus__cos(angle) - 1.0);
-            }
-            const double high = place->origin[1] + place->rotation[3] * x +
-                                place->rotation[4] * chain->xy[2 * k + 1] + place->rotation[5] * z;
-            y[0] = fmin(y[0], high), y[1] = fmax(y[1], high);
-        }
-    }
-}
-
-
 /* height above the floor of the highest place of the panels at the neckline where they are placed [m] */
 static double collar_over(const mus__half *half, const mus__boundary *loop)
 {
     double y[2] = {INFINITY, -INFINITY};
     for (int32_t k = 0; k < loop->n; k++)
-        mus__collar_heights(&half->board, half->board.side[loop->side[k]].panel, y);
+        mus__panel_heights(&half->board, half->board.side[loop->side[k]].panel, y);
     return y[1];
 }
 

@@ -19,8 +19,6 @@ typedef struct mus__neck {
     bool front_open, back_open; /* whether the garment opens at the centre */
 } mus__neck;
 
-/* widens the interval y (2) [m] to the heights of the control points of a panel as it is placed */
-void mus__collar_heights(const mus__board *board, int32_t panel, double *y);
 /* Peter Pan, sailor and shawl collars, which lie on the shoulders */
 void mus__collar_flat(mus__half *half, mus__neck *neck);
 /* the hood: two pieces with a seam over the head */

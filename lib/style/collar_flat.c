@@ -185,7 +185,7 @@ static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
     memcpy(place->rotation, turn, sizeof turn);
     place->origin[2] = half->skeleton.shoulder_z - radius;
     place->bend = -FLAT_BEND * radius;
-    for (int32_t p = 0; p < board->npanel; p++) mus__collar_heights(board, p, p == panel ? own : body);
+    for (int32_t p = 0; p < board->npanel; p++) mus__panel_heights(board, p, p == panel ? own : body);
     place->origin[1] = body[1] - own[0] + FLAT_ABOVE * k * MUS__CM;
 }
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "muslin/topology.h"
-#include "style/collar.h"
+#include "half/half_placement.h"
 #include "style/half_shirt.h"
 
 static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
@@ -167,9 +167,9 @@ START_TEST(a_turned_collar_starts_above_the_shoulders)
     shirt_of(context, sizes[_i], 2, MUS__SLEEVE_LONG, 0.0, &half);
     mus__collar_attach(&half);
     double leaf[2] = {INFINITY, -INFINITY}, body[2] = {INFINITY, -INFINITY};
-    mus__collar_heights(&half.board, mus__board_find_panel(&half.board, "collar_leaf"), leaf);
-    mus__collar_heights(&half.board, mus__board_find_panel(&half.board, "front"), body);
-    mus__collar_heights(&half.board, mus__board_find_panel(&half.board, "back"), body);
+    mus__panel_heights(&half.board, mus__board_find_panel(&half.board, "collar_leaf"), leaf);
+    mus__panel_heights(&half.board, mus__board_find_panel(&half.board, "front"), body);
+    mus__panel_heights(&half.board, mus__board_find_panel(&half.board, "back"), body);
     ck_assert_double_ge(leaf[0], body[1] - 0.7 * CM); /* the control points of a leaf lie up to 0.6 cm lower */
     ck_assert_double_gt(body[1], 0.5);
     mus__board_free(&half.board);

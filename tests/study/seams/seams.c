@@ -1,7 +1,7 @@
 /*
  * seams.c: the seams of patterns are taken away and found again: `make seams`.
  *
- *     build/bin/seams DATA [--every N] [--rounds N] [--swap] [--fit FILE] [--list]
+ *     build/bin/seams DATA [--every N] [--rounds N] [--drawings FOLDER] [--swap] [--fit FILE] [--list]
  *
  * The patterns are every N-th named design (default 8), each in one size, and every GarmentCode specification of the
  * folder DATA. They are in two halves: designs by the hash of their family, specifications by their number, so that the
@@ -9,6 +9,8 @@
  * writes them; without it the weights of the library are judged. Both halves are printed. --swap exchanges the halves:
  * with --fit and --list it lists the errors in the fitted half by weights that never saw it. --rounds is that of the
  * annealing. The specifications of one body are also fitted without their sleeves, collars, upper and lower halves.
+ * With --drawings the GarmentCode drawings of a folder are fitted in place of the specifications of DATA, which are
+ * then all judged; so is one drawing of five.
  *
  * The fit: at the true sewing, at those that the search found, and at the true one without the seams of a panel, the
  * changes that the search would try are a group, in which one choice is right: the change that makes most seams right,
@@ -32,6 +34,7 @@
 #define D MUS__SEAM_FEATURES
 #define RIDGE 4.0    /* in units of one group; chosen */
 #define ROUNDS_FIT 6 /* of search and regression */
+#define THIN 4       /* with drawings one garment in so many gives the first rows, all changes of its truth; chosen */
 #define FAR 5.0      /* a sewing whose score is so far below that of the right one is left out */
 #define BINS 10
 
@@ -298,7 +301,7 @@ typedef struct tally {
     int32_t wrong[4]; /* garments of 1, 2, 3 to 5 and more seams that are missed or wrong */
 } tally;
 
-static tally tallies[2][2];      /* half, ours */
+static tally tallies[2][KINDS_OF_GARMENTS]; /* half, kind */
 static int32_t bins[2][BINS][2]; /* half, confidence, right */
 static double *margins; /* (nmargin x 2) of the fitted half: margin of a seam that was found, 1 where it is right */
 static int64_t nmargin;
@@ -361,7 +364,7 @@ static void write_weights(const char *path, const double *w, const double *c)
 static void judge(garment *g, const double *weights, int32_t rounds, bool keep, bool list, const double *confidence)
 {
     mus__seam_search search;
-    tally *t = &tallies[g->judged][g->ours], none = {0};
+    tally *t = &tallies[g->judged][g->kind], none = {0};
     if (g->part) t = &none;
     if (mus__seam_begin(&g->facts, weights, &search) != MUS_OK) exit(1);
     mus__seam_run(&search, rounds);
@@ -405,12 +408,13 @@ static void judge(garment *g, const double *weights, int32_t rounds, bool keep, 
 static void print_tallies(void)
 {
     for (int32_t half = 0; half < 2; half++)
-        for (int32_t ours = 1; ours >= 0; ours--) {
-            const tally *t = &tallies[half][ours];
+        for (int32_t kind = 0; kind < KINDS_OF_GARMENTS; kind++) {
+            static const char *const kinds[KINDS_OF_GARMENTS] = {"specifications", "named designs", "drawings"};
+            const tally *t = &tallies[half][kind];
             if (t->garments == 0) continue;
             printf("%-6s %-14s %4d garments, whole %5.1f %%; %5d seams, found %5.1f %%, right of the found %5.1f %%; "
                    "truth scores better in %d; garments of 1, 2, 3 to 5, more errors: %d %d %d %d\n",
-                   half ? "judged" : "fitted", ours ? "named designs" : "specifications", t->garments,
+                   half ? "judged" : "fitted", kinds[kind], t->garments,
                    100.0 * t->whole / t->garments, t->seams, 100.0 * t->right / fmax(1, t->seams),
                    100.0 * t->right / fmax(1, t->found), t->missed_by_search, t->wrong[0], t->wrong[1], t->wrong[2],
                    t->wrong[3]);
@@ -438,7 +442,8 @@ static void fit_weights(newton *fit, const garments *all)
     fit->w[MUS__SEAM_RATIO] = -1.0;
     for (int32_t round = 0; round < ROUNDS_FIT; round++) {
         for (int32_t i = 0; i < all->n; i++)
-            if (!all->list[i].judged) add_groups(fit, &all->list[i], round);
+            if (!all->list[i].judged && (round > 0 || !all->drawn || i % THIN == 0))
+                add_groups(fit, &all->list[i], round);
         regress(fit, 20);
         for (int32_t i = 0; i < all->n; i++)
             if (!all->list[i].judged) judge(&all->list[i], fit->w, round > 1, true, false, NULL);
@@ -461,6 +466,8 @@ int main(int argc, char **argv)
             every = atoi(argv[++i]);
         else if (strcmp(argv[i], "--rounds") == 0 && i + 1 < argc)
             rounds = atoi(argv[++i]);
+        else if (strcmp(argv[i], "--drawings") == 0 && i + 1 < argc)
+            garments_add_drawings(&all, context, argv[++i]);
         else if (strcmp(argv[i], "--fit") == 0 && i + 1 < argc)
             out = argv[++i];
         else if (strcmp(argv[i], "--swap") == 0)

@@ -92,10 +92,38 @@ void garments_add_designs(garments *to, mus_context *context, int32_t every)
             continue;
         }
         garment *g = add_garment(to, context, pattern, mus_design_name(i));
-        g->ours = true;
+        g->kind = OF_DESIGN;
         g->judged = (hash_text(mus_design_family(i)) % 2 != 0) != to->swap;
     }
     for (int32_t i = 0; i < 3; i++) mus_tape_destroy(tapes[i]);
+}
+
+
+/* the pattern of a file, without the labels of its panels: a DXF of the garment has names alone */
+static mus_pattern *read_drawing(mus_context *context, const char *path, const char *name)
+{
+    mus_pattern *pattern = NULL;
+    if (mus_pattern_read(context, path, &pattern) != MUS_OK) give_up(context, name);
+    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
+        if (mus_pattern_set_panel_label(pattern, p, "") != MUS_OK) give_up(context, name);
+    return pattern;
+}
+
+
+void garments_add_drawings(garments *to, mus_context *context, const char *folder)
+{
+    char path[1024];
+    glob_t found;
+    to->drawn = true;
+    snprintf(path, sizeof path, "%s/*_specification.json", folder);
+    if (glob(path, 0, NULL, &found) != 0) give_up(context, "no drawing in the folder");
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        garment *g = add_garment(to, context, read_drawing(context, found.gl_pathv[i], name), name);
+        g->kind = OF_DRAWING;
+        g->judged = i % 5 == 0;
+    }
+    globfree(&found);
 }
 
 
@@ -108,15 +136,11 @@ void garments_add_specifications(garments *to, mus_context *context, const char 
         snprintf(path, sizeof path, "%s/garmentcode/%s/*_specification.json", data, folders[f]);
         if (glob(path, 0, NULL, &found) != 0) continue;
         for (size_t i = 0; i < found.gl_pathc; i++) {
-            mus_pattern *pattern = NULL;
             const char *name = strrchr(found.gl_pathv[i], '/') + 1;
             int32_t a = 0, number = 0;
             if (sscanf(name, "d%d_%d", &a, &number) != 2) number = (int32_t)hash_text(name);
-            if (mus_pattern_read(context, found.gl_pathv[i], &pattern) != MUS_OK) give_up(context, name);
-            /* a DXF of the garment has names, not the labels of the file */
-            for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++)
-                if (mus_pattern_set_panel_label(pattern, p, "") != MUS_OK) give_up(context, name);
-            const bool judged = (number % 2 != 0) != to->swap;
+            mus_pattern *pattern = read_drawing(context, found.gl_pathv[i], name);
+            const bool judged = to->drawn || (number % 2 != 0) != to->swap;
             add_garment(to, context, pattern, name)->judged = judged;
             if (parts && !judged && strstr(name, "mean_all") != NULL) add_parts(to, context, pattern, name);
         }

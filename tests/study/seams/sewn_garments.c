@@ -10,6 +10,8 @@
 #include "muslin/muslin.h"
 #include "sewn_garments.h"
 
+#define ONE_JUDGED 5 /* of so many drawings one is judged; chosen: the others are enough to fit */
+
 
 static void give_up(mus_context *context, const char *what)
 {
@@ -116,12 +118,15 @@ void garments_add_drawings(garments *to, mus_context *context, const char *folde
     glob_t found;
     to->drawn = true;
     snprintf(path, sizeof path, "%s/*_specification.json", folder);
-    if (glob(path, 0, NULL, &found) != 0) give_up(context, "no drawing in the folder");
+    if (glob(path, 0, NULL, &found) != 0) {
+        fprintf(stderr, "seams: the folder %s has no file *_specification.json\n", folder);
+        exit(1);
+    }
     for (size_t i = 0; i < found.gl_pathc; i++) {
         const char *name = strrchr(found.gl_pathv[i], '/') + 1;
         garment *g = add_garment(to, context, read_drawing(context, found.gl_pathv[i], name), name);
         g->kind = OF_DRAWING;
-        g->judged = i % 5 == 0;
+        g->judged = i % ONE_JUDGED == 0;
     }
     globfree(&found);
 }

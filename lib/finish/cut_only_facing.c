@@ -3,8 +3,8 @@
  *
  *        A ~~~ neck ~~~ B       A facing has the edges of a run (A to B) as they are, the edges before and after the
  *       /               \       run as far as its width (to A' and E), and the line at that distance from the run
- *      A' ------------- E       between them. Darts in the run are closed: the part behind each is turned about the
- *                               dart's point until its legs lie on each other.
+ *      A' ------------- E       between them, in parts where it has corners. Darts in the run are closed: the part
+ *                               behind each is turned about the dart's point until its legs lie on each other.
  *
  * The line at a distance is made of points beside the middles of short chords of the run, with an arc at each corner
  * that spreads. Points that are nearer to the run than the width, or outside the lines A'A and BE, are left out. A
@@ -24,6 +24,9 @@
 #define FACING_CORNER 0.15 /* [rad] between two chords: a larger turn is a corner that gets an arc; chosen */
 #define FACING_SLACK 5e-4  /* [m] least distance of the parallel from the ends of a facing; chosen: above rounding */
 #define FACING_NEAR 2e-5   /* [m] a point of the parallel may be nearer to the run by; the error of its chords */
+#define FACING_BEND 0.86602540378443865 /* cosine of 30 degrees: a larger turn of the parallel is a corner (AAMA) */
+#define FACING_MOST 0.95   /* share of the edge beside a run that a facing takes at most; chosen: an edge is left */
+#define FACING_HALVINGS 30 /* of a quarter of the width: below a nanometre */
 #define FACING_TRIES 3     /* widths that are tried, each 0.7 of the one before; chosen */
 
 /* the rim of a panel and the run of it that is faced */
@@ -99,12 +102,12 @@ static int32_t facing_point(facing *f, const double *p)
 }
 
 
-/* add an edge to the outline; name and label of rim edge i, MUS_NONE: "inner"; its allowance unless one is given */
+/* add an edge to the outline; name, label and allowance are those of rim edge i, MUS_NONE: those of the call */
 static void facing_edge(facing *f, mus_edge_def *def, int32_t i, double allowance)
 {
     int32_t made = MUS_NONE;
     const int32_t of = i != MUS_NONE ? f->edge[i] : MUS_NONE;
-    def->name = of != MUS_NONE ? mus_pattern_edge_name(f->pattern, of) : "inner";
+    if (of != MUS_NONE) def->name = mus_pattern_edge_name(f->pattern, of);
     if (f->status == MUS_OK) f->status = mus_pattern_add_edge(f->made, def, &made);
     if (f->status != MUS_OK) return;
     f->word[f->nword++] = made;
@@ -186,6 +189,30 @@ static double facing_distance(const facing *f, const double *p)
 }
 
 
+/* arc length [m] of rim edge i, from its end (back) or its start, to where it is `width` from the run, so that the
+ * parallel meets it there; most of the edge where it comes no further. The edge is moved with the part under work */
+static double facing_reach(facing *f, int32_t i, bool back, double width)
+{
+    const double length = mus_pattern_edge_length(f->pattern, f->edge[i]), most = FACING_MOST * length;
+    double low = 0.0, high = 0.0, p[2];
+    for (bool far = false; !far && high < most;) {
+        low = high;
+        high = fmin(high + 0.25 * width, most);
+        facing_at(f, i, back ? length - high : high, p);
+        far = facing_distance(f, p) >= width;
+    }
+    for (int32_t k = 0; k < FACING_HALVINGS; k++) {
+        const double middle = 0.5 * (low + high);
+        facing_at(f, i, back ? length - middle : middle, p);
+        if (facing_distance(f, p) < width)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+
 /* add the point at `width` from p in the direction (x, y) left of the run, where it is as far from all of the run and
  * inside the lines along the ends: end (2 x 4), two points of each */
 static void facing_aside(facing *f, const double *p, double x, double y, double width, const double *end)
@@ -223,6 +250,39 @@ static void facing_parallel(facing *f, double width, const double *end)
 }
 
 
+/* whether the polyline has a corner at q */
+static bool facing_bends(const double *p, const double *q, const double *r)
+{
+    const double u[2] = {q[0] - p[0], q[1] - p[1]}, v[2] = {r[0] - q[0], r[1] - q[1]};
+    return u[0] * v[0] + u[1] * v[1] < FACING_BEND * mus__hypot(u[0], u[1]) * mus__hypot(v[0], v[1]);
+}
+
+
+/* add the parallel, against the sense of the run: edge "inner" from point far to near, more where it has corners */
+static void facing_inner(facing *f, int32_t far, int32_t near)
+{
+    double xy[FACING_POINTS + 2][2];
+    const int32_t kinds[FACING_POINTS + 1] = {MUS_PIECE_LINE}, last = f->naside + 1;
+    char name[24] = "inner";
+    if (f->status == MUS_OK) f->status = mus_pattern_point(f->made, far, NULL, xy[0]);
+    if (f->status == MUS_OK) f->status = mus_pattern_point(f->made, near, NULL, xy[last]);
+    for (int32_t k = 1; k < last; k++) memcpy(xy[k], f->aside[last - 1 - k], sizeof *xy);
+    for (int32_t from = 0, at = far, count = 1; from < last && f->status == MUS_OK; count++) {
+        int32_t to = from + 1;
+        while (to < last && (f->nword > FACING_EDGES || !facing_bends(xy[to - 1], xy[to], xy[to + 1]))) to++;
+        mus_edge_def def;
+        mus_edge_def_init(&def, sizeof def);
+        if (count > 1) snprintf(name, sizeof name, "inner_%d", (int)count);
+        def.name = name;
+        def.start = at, def.end = at = to < last ? facing_point(f, xy[to]) : near;
+        def.npiece = to - from, def.kinds = kinds;
+        def.nxy = to - from - 1, def.xy = def.nxy > 0 ? xy[from + 1] : NULL;
+        facing_edge(f, &def, MUS_NONE, 0.0);
+        from = to;
+    }
+}
+
+
 /* ---- one facing ---- */
 
 /* draw the facing of the run in a pattern of its own */
@@ -232,10 +292,8 @@ static void facing_draw(facing *f, double width)
     double corner[2], end[8];
     const int32_t before = (f->first + f->n - 1) % f->n, after = (f->last + 1) % f->n;
     const double back = mus_pattern_edge_length(f->pattern, f->edge[before]);
-    const double on = mus_pattern_edge_length(f->pattern, f->edge[after]);
     memcpy(f->turn, still, sizeof still);
     f->nrun = f->nword = 0;
-    facing_at(f, before, back - fmin(width, 0.95 * back), end);
     facing_at(f, f->first, 0.0, corner);
     memcpy(end + 2, corner, sizeof corner);
     const int32_t start = facing_point(f, corner);
@@ -250,18 +308,13 @@ static void facing_draw(facing *f, double width)
         i++;
     }
     memcpy(end + 4, f->run[f->nrun], 2 * sizeof *end);
-    facing_at(f, after, fmin(width, 0.95 * on), end + 6);
+    facing_at(f, after, facing_reach(f, after, false, width), end + 6);
+    memcpy(f->turn, still, sizeof still);
+    facing_at(f, before, back - facing_reach(f, before, true, width), end);
     const int32_t far = facing_point(f, end + 6), near = facing_point(f, end);
     facing_line(f, at, far, after);
     facing_parallel(f, width, end);
-    double inner[2 * FACING_POINTS];
-    int32_t kinds[FACING_POINTS + 1] = {MUS_PIECE_LINE};
-    for (int32_t k = 0; k < f->naside; k++) memcpy(inner + 2 * k, f->aside[f->naside - 1 - k], 2 * sizeof *inner);
-    mus_edge_def def;
-    mus_edge_def_init(&def, sizeof def);
-    def.start = far, def.end = near, def.npiece = f->naside + 1, def.kinds = kinds;
-    def.nxy = f->naside, def.xy = f->naside > 0 ? inner : NULL;
-    facing_edge(f, &def, MUS_NONE, 0.0);
+    facing_inner(f, far, near);
     facing_line(f, near, start, before);
 }
 

@@ -78,7 +78,8 @@ static double length_of(const mus_pattern *pattern, int32_t panel, const char *l
 }
 
 
-/* a facing has the edges that it is sewn to, darts closed: the same lengths; its ends are 5 cm, its area a strip's */
+/* a facing has the edges that it is sewn to, darts closed: the same lengths; it is 5 cm wide, its ends as much longer
+ * as they lean, its area a strip's */
 START_TEST(a_facing_has_the_edge_that_it_faces)
 {
     static const char *const rows[][4] = {{"blouse_square_short", "front", "front_facing", "neck"},
@@ -91,17 +92,53 @@ START_TEST(a_facing_has_the_edge_that_it_faces)
         mus_pattern *pattern = drafts_pattern(context, rows[i][0], "W40");
         const mus_pattern *made = mus_pattern_cut_only(pattern);
         const int32_t facing = mus_pattern_find_panel(made, rows[i][2]);
-        const int32_t inner = mus_pattern_find_edge(made, facing, "inner");
         const double own = length_of(pattern, mus_pattern_find_panel(pattern, rows[i][1]), rows[i][3]);
         ck_assert_double_eq_tol(length_of(made, facing, rows[i][3]), own, 1e-4);
-        double longest = 0.0;
-        for (int32_t e = 0; e < mus_pattern_edge_count(made); e++)
-            if (mus_pattern_edge_panel(made, e) == facing && e != inner &&
-                strcmp(mus_pattern_edge_label(made, e), rows[i][3]) != 0)
-                longest = fmax(longest, fabs(mus_pattern_edge_length(made, e) - 0.05));
-        ck_assert_double_lt(longest, 1e-3);
-        const double strip = 0.025 * (own + mus_pattern_edge_length(made, inner));
+        double longest = 0.0, shortest = 1.0, inner = 0.0;
+        for (int32_t e = 0; e < mus_pattern_edge_count(made); e++) {
+            const double length = mus_pattern_edge_length(made, e);
+            if (mus_pattern_edge_panel(made, e) != facing) continue;
+            if (strncmp(mus_pattern_edge_name(made, e), "inner", 5) == 0) {
+                inner += length;
+            } else if (strcmp(mus_pattern_edge_label(made, e), rows[i][3]) != 0) {
+                longest = fmax(longest, length);
+                shortest = fmin(shortest, length);
+            }
+        }
+        ck_assert_double_ge(shortest, 0.05 - 1e-6);
+        ck_assert_double_lt(longest, 0.06);
+        const double strip = 0.025 * (own + inner);
         ck_assert_double_eq_tol(mus_pattern_panel_area(made, facing), strip, 0.1 * strip);
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
+/* where a facing takes a whole shoulder its parallel ends in corners: each is the end of an edge, so that a DXF, whose
+ * turn points are corners, gives the edges back */
+START_TEST(no_corner_is_inside_the_inner_edge_of_a_facing)
+{
+    static const char *const designs[] = {"blouse_boat_sleeveless", "princess_half_square_sleeveless",
+                                          "halter_empire_crop"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof designs / sizeof *designs; i++) {
+        mus_pattern *pattern = drafts_pattern(context, designs[i], "W40");
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        int32_t parted = 0;
+        for (int32_t e = 0; e < mus_pattern_edge_count(made); e++) {
+            double xy[1200];
+            int32_t n = 0;
+            if (strncmp(mus_pattern_edge_name(made, e), "inner", 5) != 0) continue;
+            parted += strcmp(mus_pattern_edge_name(made, e), "inner_2") == 0;
+            ck_assert_int_eq(mus_pattern_edge_polyline(made, e, 1, xy, 600, &n), MUS_OK);
+            for (int32_t k = 1; k + 1 < n; k++) {
+                const double *p = xy + 2 * k, a = p[0] - p[-2], b = p[1] - p[-1], c = p[2] - p[0], d = p[3] - p[1];
+                ck_assert_double_ge(a * c + b * d, (0.8660 - 1e-9) * hypot(a, b) * hypot(c, d));
+            }
+        }
+        ck_assert_int_gt(parted, 0);
         mus_pattern_destroy(pattern);
     }
     support_context_end(context);
@@ -273,6 +310,7 @@ Suite *mus_suite_cut_only(void)
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, the_words_choose_the_pieces);
     tcase_add_test(tcase, a_facing_has_the_edge_that_it_faces);
+    tcase_add_test(tcase, no_corner_is_inside_the_inner_edge_of_a_facing);
     tcase_add_test(tcase, what_is_sewn_on_has_the_notches_of_its_edge);
     tcase_add_test(tcase, an_under_collar_is_drawn_in_at_its_outer_edge);
     tcase_add_test(tcase, a_front_pocket_fills_what_is_cut_away);

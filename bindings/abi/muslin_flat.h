@@ -1028,6 +1028,7 @@ const char *mus_material_name(int32_t material);
 int32_t mus_material_find(const char *name);
 mus_status mus_pattern_set_material(mus_pattern *pattern, int32_t panel, int32_t material, int32_t count);
 mus_status mus_pattern_set_cut_only(mus_pattern *pattern, const mus_pattern *panels);
+mus_status mus_pattern_set_panel_name(mus_pattern *pattern, int32_t panel, const char *name);
 mus_status mus_pattern_set_panel_label(mus_pattern *pattern, int32_t panel, const char *label);
 mus_status mus_pattern_set_panel_sides(mus_pattern *pattern, int32_t panel, int32_t sides);
 mus_status mus_pattern_add_opening(mus_pattern *pattern, const char *label);

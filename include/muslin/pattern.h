@@ -256,6 +256,11 @@ MUS_API mus_status mus_pattern_set_material(mus_pattern *pattern, int32_t panel,
  */
 MUS_API mus_status mus_pattern_set_cut_only(mus_pattern *pattern, const mus_pattern *panels);
 
+/** Give a panel another name. Its words tell the sides of the panel until they are set (mus_pattern_set_panel_sides()),
+ * and its part of the garment when seams are proposed. Errors: MUS_ERR_ARG (a name that is empty, too long, not UTF-8,
+ * or that of another panel). */
+MUS_API mus_status mus_pattern_set_panel_name(mus_pattern *pattern, int32_t panel, const char *name);
+
 /** Set the label of a panel: its part in the garment ("body", "arm", "leg", "collar", free text). mus_arrange_pattern()
  * puts an "arm" round an arm, a "neck", "collar" or "hood" round the neck, and all else round the trunk. Errors:
  * MUS_ERR_ARG. */

@@ -45,6 +45,30 @@ mus_status mus_pattern_add_panel(mus_pattern *pattern, const char *name, int32_t
 }
 
 
+mus_status mus_pattern_set_panel_name(mus_pattern *pattern, int32_t panel, const char *name)
+{
+    char taken[MUS__NAME_BYTES];
+    if (pattern == NULL) return MUS_ERR_ARG;
+    mus_status status = mus__pattern_known(pattern, "panel", panel, pattern->npanel);
+    if (status != MUS_OK) return status;
+    if (name == NULL || name[0] == '\0')
+        return mus__fail(pattern->context, MUS_ERR_ARG, "panel %s: it needs a name", pattern->panel[panel].name);
+    status = mus__pattern_take_name(pattern, "panel", name, taken);
+    if (status != MUS_OK) return status;
+    const int32_t other = mus_pattern_find_panel(pattern, taken);
+    if (other == panel) return MUS_OK;
+    if (other != MUS_NONE)
+        return mus__fail(pattern->context, MUS_ERR_ARG, "panel %s: panel %d is named %s already",
+                         pattern->panel[panel].name, (int)other, taken);
+    memcpy(pattern->panel[panel].name, taken, sizeof taken);
+    /* the table of names is built anew when the next panel is added */
+    for (int32_t i = 0; i < pattern->named_room; i++) pattern->named[i] = MUS_NONE;
+    pattern->nnamed = 0;
+    mus__pattern_edited(pattern);
+    return MUS_OK;
+}
+
+
 mus_status mus_pattern_add_point(mus_pattern *pattern, int32_t panel, double x, double y, int32_t *out)
 {
     if (out != NULL) *out = MUS_NONE;

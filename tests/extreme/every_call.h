@@ -223,6 +223,7 @@
     X(mus_pattern_set_grain, nothing, (P, 0, 1.0, 1.0))                                                                \
     X(mus_pattern_set_cut, nothing, (P, 0, 2, MUS_NONE))                                                               \
     X(mus_pattern_set_material, nothing, (P, 0, MUS_MATERIAL_LINING, 2))                                               \
+    X(mus_pattern_set_panel_name, nothing, (P, 0, "again"))                                                            \
     X(mus_pattern_set_panel_label, nothing, (P, 0, "again"))                                                           \
     X(mus_pattern_set_panel_sides, nothing, (P, 0, MUS_SIDE_FRONT))                                                    \
     X(mus_pattern_set_placement, nothing, (P, 0, &w->placement))                                                       \

@@ -2,6 +2,7 @@
  * test_notches_marks.c: notches, marks, grain, cut and placement.
  */
 #include <math.h>
+#include <stdio.h>
 
 #include "pattern/same.h"
 
@@ -124,6 +125,40 @@ START_TEST(no_two_panels_mirror_each_other)
 END_TEST
 
 
+/* the table of names holds, too, when there are enough panels that it is used */
+START_TEST(a_panel_gets_another_name)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    char name[16];
+    int32_t panel = MUS_NONE;
+    ck_assert_int_eq(mus_pattern_create(context, "many", &pattern), MUS_OK);
+    for (int32_t i = 0; i < 200; i++) {
+        snprintf(name, sizeof name, "p%d", (int)i);
+        ck_assert_int_eq(mus_pattern_add_panel(pattern, name, NULL), MUS_OK);
+    }
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 7, "back_left"), MUS_OK);
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 7, "back_left"), MUS_OK);
+    ck_assert_int_eq(mus_pattern_panel_sides(pattern, 7, NULL), MUS_SIDE_BACK | MUS_SIDE_LEFT);
+    ck_assert_int_eq(mus_pattern_find_panel(pattern, "p7"), MUS_NONE);
+    ck_assert_int_eq(mus_pattern_find_panel(pattern, "back_left"), 7);
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 8, "back_left"), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 8, ""), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 8, NULL), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_set_panel_name(pattern, 200, "x"), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_set_panel_name(NULL, 0, "x"), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_add_panel(pattern, "p7", &panel), MUS_OK);
+    ck_assert_int_eq(mus_pattern_find_panel(pattern, "p7"), panel);
+    for (int32_t i = 8; i < 200; i++) {
+        snprintf(name, sizeof name, "p%d", (int)i);
+        ck_assert_int_eq(mus_pattern_find_panel(pattern, name), i);
+    }
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_placement_is_a_rotation)
 {
     mus_context *context = support_context();
@@ -180,6 +215,7 @@ Suite *mus_suite_notches_marks(void)
     tcase_add_test(tcase, marks_keep_their_points);
     tcase_add_test(tcase, grain_is_a_unit_vector_that_survives_writing_and_reading);
     tcase_add_test(tcase, no_two_panels_mirror_each_other);
+    tcase_add_test(tcase, a_panel_gets_another_name);
     tcase_add_test(tcase, a_placement_is_a_rotation);
     suite_add_tcase(suite, tcase);
     return suite;

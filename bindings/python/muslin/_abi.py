@@ -820,6 +820,7 @@ FUNCTIONS = {
     "mus_material_find": ("core", c_int32, [c_char_p]),
     "mus_pattern_set_material": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32, c_int32]),
     "mus_pattern_set_cut_only": ("core", c_int32, [POINTER(mus_pattern), POINTER(mus_pattern)]),
+    "mus_pattern_set_panel_name": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_set_panel_label": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_char_p]),
     "mus_pattern_set_panel_sides": ("core", c_int32, [POINTER(mus_pattern), c_int32, c_int32]),
     "mus_pattern_add_opening": ("core", c_int32, [POINTER(mus_pattern), c_char_p]),

@@ -223,6 +223,14 @@ class Pattern(Topology, Edits, Valued):
         """An elastic along an edge: length over that of the edge, and newton for double length (0: none)."""
         self.do("set_edge_elastic", edge, ratio, stiffness)
 
+    def set_panel_name(self, panel: int, name: str) -> None:
+        """Another name of a panel; its words tell the sides until they are set."""
+        self.do("set_panel_name", panel, name)
+
+    def set_panel_label(self, panel: int, label: str) -> None:
+        """The part of the garment that a panel is: "arm" lets an arrangement put it round an arm."""
+        self.do("set_panel_label", panel, label)
+
     def set_layer(self, panel: int, layer: int) -> None:
         """Layer of a panel, 0 next to the skin: a drape with self_contact sews them from inside to outside."""
         self.do("set_layer", panel, layer)

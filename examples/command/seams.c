@@ -9,11 +9,13 @@
 #include "json.h"
 #include "muslin/exchange.h"
 #include "scene.h"
+#include "seams_pieces.h"
 
 /* What is asked for, and the proposals of the library. */
 typedef struct seams_work {
     const char *in, *out, *size;
     double least; /* confidence of a seam that is sewn */
+    texts pieces, splits;
     bool json;
     int32_t count, *edges, *chosen;
     double *confidence;
@@ -108,7 +110,9 @@ static int seams_run(scene *s, seams_work *w)
 {
     int32_t sewn = 0;
     mus_status status = seams_read(s, w);
-    if (status == MUS_OK) status = seams_propose(s, w);
+    if (status != MUS_OK) return scene_fail(s, status);
+    if (seams_pieces(s->pattern, &w->splits, &w->pieces) != MUS_OK) return EXIT_INPUT;
+    status = seams_propose(s, w);
     if (status != MUS_OK) return scene_fail(s, status);
     if (w->json && !seams_json(s, w)) return EXIT_FAILED;
     if (!w->json && !is_stdout(w->out)) seams_print(s, w);
@@ -129,6 +133,9 @@ int command_seams(int argc, char **argv)
         {"-o", OPTION_OUTPUT, &w.out, 0, 0, "FILE  write the pattern with the seams as muslin JSON"},
         {"--least", OPTION_NUMBER, &w.least, 0, 1, "P  smallest confidence of a seam that -o sews, 0.5 by default"},
         {"--size", OPTION_TEXT, &w.size, 0, 0, "NAME  the size of a DXF; without it the sample size"},
+        {"--piece", OPTION_LIST, &w.pieces, 0, 0,
+         "'NAME[=NEW] [leave|fold|fold:EDGE|pair] [LABEL]'  what the file does not tell of a panel; repeatable"},
+        {"--split", OPTION_LIST, &w.splits, 0, 0, "EDGE:MM,MM ...  part an edge so far from its start; repeatable"},
         {"--json", OPTION_STDOUT, &w.json, 0, 0, "print JSON"},
         {NULL, OPTION_FLAG, NULL, 0, 0, NULL}};
     if (!args_read("seams", "Propose the seams of a pattern.", options, argc, argv)) return EXIT_INPUT;

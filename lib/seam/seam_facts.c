@@ -57,8 +57,8 @@ static bool word_of_side(const char *word, size_t n)
 }
 
 
-/* the part of a garment that a text names; of several words the first of the table decides: a cuff of a leg is a cuff.
- * Letters between other characters are a word. */
+/* the part of a garment that a text names; of several words the first of the table decides. Letters between other
+ * characters are a word. */
 static int32_t role_named(const char *text)
 {
     static const struct {
@@ -73,20 +73,28 @@ static int32_t role_named(const char *text)
                  {"sleeve", MUS__SEAM_ROLE_SLEEVE}, {"arm", MUS__SEAM_ROLE_SLEEVE},
                  {"leg", MUS__SEAM_ROLE_LEG},       {"pant", MUS__SEAM_ROLE_LEG},
                  {"pants", MUS__SEAM_ROLE_LEG},     {"trouser", MUS__SEAM_ROLE_LEG},
+                 {"pocket", MUS__SEAM_ROLE_POCKET},
                  {"skirt", MUS__SEAM_ROLE_SKIRT},   {"gore", MUS__SEAM_ROLE_SKIRT},
                  {"tier", MUS__SEAM_ROLE_SKIRT},    {"torso", MUS__SEAM_ROLE_TORSO},
                  {"ftorso", MUS__SEAM_ROLE_TORSO},  {"btorso", MUS__SEAM_ROLE_TORSO},
                  {"bodice", MUS__SEAM_ROLE_TORSO},  {"body", MUS__SEAM_ROLE_TORSO},
                  {"yoke", MUS__SEAM_ROLE_TORSO}};
+    int32_t role = MUS__SEAM_ROLE_NONE;
+    bool leg = false, skirt = false;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         for (const char *at = text; *at != '\0';) {
             size_t n = 0, k = 0;
             while (isalpha((unsigned char)at[n])) n++;
             while (k < n && words[i].word[k] == tolower((unsigned char)at[k])) k++;
-            if (n > 0 && k == n && words[i].word[k] == '\0') return words[i].role;
+            if (n > 0 && k == n && words[i].word[k] == '\0') {
+                if (role != MUS__SEAM_ROLE_CUFF) role = words[i].role;
+                if (role != MUS__SEAM_ROLE_CUFF) return role;
+                leg = leg || words[i].role == MUS__SEAM_ROLE_LEG;
+                skirt = skirt || words[i].role == MUS__SEAM_ROLE_SKIRT;
+            }
             at += n > 0 ? n : 1;
         }
-    return MUS__SEAM_ROLE_NONE;
+    return skirt ? MUS__SEAM_ROLE_FLOUNCE : leg ? MUS__SEAM_ROLE_LEG_CUFF : role;
 }
 
 
@@ -226,6 +234,14 @@ static void read_corners(const facts_work *w, int32_t first, int32_t n)
         chord_of(w, i, true, u);
         chord_of(w, edge->next - first, false, v);
         edge->end = next->start = MUS__SEAM_PI - turn_of(u, v);
+    }
+    for (int32_t i = first; i < first + n; i++) {
+        const mus__seam_edge *edges = w->facts->edges;
+        int32_t count = 1;
+        for (int32_t k = i; fabs(edges[k].end - MUS__SEAM_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].next) count++;
+        for (int32_t k = i; fabs(edges[k].start - MUS__SEAM_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].prev)
+            count++;
+        w->facts->edges[i].line = count;
     }
 }
 

@@ -1,6 +1,4 @@
-/*
- * seam_features.h: the features of a sewing, in the order of the weights, each with the words of the study's table.
- */
+/* seam_features.h: the features of a sewing, in the order of the weights, each with the words of the study's table. */
 #ifndef MUS_SEAM_FEATURES_H
 #define MUS_SEAM_FEATURES_H
 
@@ -47,8 +45,8 @@
     X(JILTED, "edges that leave one of equal length, 0 to 2")                                                        \
     X(SHORT, "length of the shorter by the longest of the pattern")
 
-/* features of a whole sewing: free edges, vertices, openings, symmetry */
-#define MUS__SEAM_WHOLE(X)                                                                                           \
+/* features of a free edge */
+#define MUS__SEAM_FREE_EDGE(X)                                                                                       \
     X(FREE_TURN, "turn of a free edge [rad]")                                                                        \
     X(FREE_LENGTH, "length of a free edge by the longest of the pattern")                                            \
     X(FREE_NOTCH, "a free edge with notches")                                                                        \
@@ -56,6 +54,12 @@
     X(FREE_UP_HIGH, "a free edge that looks up at the top")                                                          \
     X(FREE_CONCAVE_HIGH, "a concave free edge in the upper half")                                                    \
     X(FREE_ALONE, "a free edge whose length no other has within 1 %")                                                \
+    X(FREE_CENTRE, "a free edge towards the centre, of a left or right panel")                                       \
+    X(FREE_CENTRE_2, "the same, of a line of two edges")                                                             \
+    X(FREE_CENTRE_3, "the same, of a line of more")
+
+/* features of a whole sewing: vertices, openings, symmetry */
+#define MUS__SEAM_WHOLE(X)                                                                                           \
     X(CLOSED_1, "tip of a dart")                                                                                     \
     X(CLOSED_2, "closed vertex of 2 corners")                                                                        \
     X(CLOSED_3, "closed vertex of 3 corners")                                                                        \
@@ -91,7 +95,6 @@
     X(OPENINGS_FEWER, "openings less than the parts of a garment have: neck, waist, hem, two for arms, legs")        \
     X(OPENINGS_BEYOND, "openings more than that")                                                                    \
     X(OPENINGS_SMALL, "openings shorter than 0.15 m")                                                                \
-    X(FREE_CENTRE, "a free edge towards the centre, of a left or right panel")                                       \
     X(UNLIKE, "free edges of a panel more or less than those of another of its shape")                               \
     X(UNEVEN, "seams whose mirror image is none, of panels of which it is known")                                    \
     X(UNEVEN_FREE, "free edges whose mirror image is sewn, likewise")
@@ -99,14 +102,19 @@
 #define MUS__SEAM_ENUM(name, text) MUS__SEAM_##name,
 enum {
     MUS__SEAM_PAIR(MUS__SEAM_ENUM) MUS__SEAM_KIND,
-    MUS__SEAM_ROLE = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS,
-    MUS__SEAM_PAIRS = MUS__SEAM_ROLE + MUS__SEAM_ROLE_PAIRS
+    MUS__SEAM_ROLE = MUS__SEAM_KIND + MUS__SEAM_SEAM_KINDS,             /* two parts, eased or not */
+    MUS__SEAM_ROLE_WAY = MUS__SEAM_ROLE + 2 * MUS__SEAM_TWO_ROLES,      /* the same, directions */
+    MUS__SEAM_ROLE_TURN = MUS__SEAM_ROLE_WAY + 2 * MUS__SEAM_TWO_ROLES * MUS__SEAM_DIRECTIONS, /* two parts, turns */
+    MUS__SEAM_PAIRS = MUS__SEAM_ROLE_TURN + MUS__SEAM_TWO_ROLES * MUS__SEAM_TURNS
 };
 enum {
-    MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_FREE,
-    MUS__SEAM_FREE_ROLE = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS,
-    MUS__SEAM_WHOLES = MUS__SEAM_FREE_ROLE + MUS__SEAM_ROLES * MUS__SEAM_SIDES
+    MUS__SEAM_FREE_EDGE(MUS__SEAM_ENUM) MUS__SEAM_FREE,
+    MUS__SEAM_FREE_SIDE = MUS__SEAM_FREE + MUS__SEAM_FREE_KINDS,        /* part, side */
+    MUS__SEAM_FREE_ROLE = MUS__SEAM_FREE_SIDE + MUS__SEAM_ROLES * MUS__SEAM_SIDES, /* part, kind */
+    MUS__SEAM_FREE_INNER = MUS__SEAM_FREE_ROLE + MUS__SEAM_ROLES * MUS__SEAM_FREE_KINDS, /* part, towards the centre */
+    MUS__SEAM_FREES = MUS__SEAM_FREE_INNER + MUS__SEAM_ROLES
 };
-#define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_WHOLES)
+enum { MUS__SEAM_WHOLE(MUS__SEAM_ENUM) MUS__SEAM_WHOLES };
+#define MUS__SEAM_FEATURES (MUS__SEAM_PAIRS + MUS__SEAM_FREES + MUS__SEAM_WHOLES)
 
 #endif

@@ -8,10 +8,8 @@
  * The weights are in seam_weights.c, which the study tests/study/seams writes: a multinomial logistic regression of the
  * right choice among the sewings that one change makes (conditional logit; McFadden 1974).
  *
- * seam_facts.c   reads the facts of the edges from the pattern
- * seam_score.c   features and score
- * seam_search.c  the search: local changes, simulated annealing
- * seam_propose.c the public call
+ * seam_facts.c reads the facts of the edges from the pattern; seam_score.c has features and score, seam_search.c the
+ * search by local changes and simulated annealing, seam_propose.c the public call.
  */
 #ifndef MUS_SEAM_FIND_H
 #define MUS_SEAM_FIND_H
@@ -21,18 +19,21 @@
 #include "seam/seam_features.h"
 
 #define MUS__SEAM_PI 3.14159265358979323846
+#define MUS__SEAM_WEIGHT_UNIT 1e-3
 #define MUS__SEAM_IN_NAME 8 /* words of a panel's name that are kept; chosen: names of pieces have up to five */
 #define MUS__SEAM_EDGES 500 /* most edges; chosen: bounds the time to a minute; the largest of the data has 176 */
 
+#define MUS__SEAM_FLAT 0.2 /* [rad] a corner nearer to the half turn is flat; chosen: twice what drawings stray */
 #define MUS__SEAM_EQUAL_LENGTHS 2e-3 /* relative difference of equal lengths; chosen: 1 mm of a side seam */
 #define MUS__SEAM_EQUAL_RATIOS 0.01  /* the same of ratios of lengths along a line of seams; chosen: cuts to 1 mm */
+
 /* one edge of an outline, in the direction of the outline; the panel as its right side is seen, the grain upwards */
 typedef struct mus__seam_edge {
     int32_t edge;      /* in the pattern */
-    int32_t panel;
-    int32_t next, prev; /* round the outline */
+    int32_t panel, next, prev; /* next and previous round the outline */
     int32_t mirror;    /* mirror image, MUS_NONE without one */
     int32_t notch, nnotch; /* in the list of notches */
+    int32_t line;         /* edges that go on in one another at flat corners, with this one */
     int32_t equal, alone; /* number of other edges of equal length; 1 where none has it within 1 % */
     double length;     /* [m] */
     double log_length;
@@ -45,13 +46,12 @@ typedef struct mus__seam_edge {
 
 typedef struct mus__seam_panel {
     int32_t first, n; /* its edges */
-    int32_t sides;
-    int32_t image, like; /* panel that is its mirror image, MUS_NONE without one; first panel of its shape */
+    int32_t sides, image, like; /* its MUS_SIDE_*; its mirror image, MUS_NONE without one; first of its shape */
     bool sure;        /* names or shapes leave no other image */
     uint64_t key;     /* equal for panels of equal edges */
     int32_t role;     /* of MUS__SEAM_ROLE_: what part of a garment the name tells, else the label */
-    uint32_t words[MUS__SEAM_IN_NAME];
     int32_t nword;
+    uint32_t words[MUS__SEAM_IN_NAME];
     uint32_t stem;    /* of the name without its number */
     int32_t number;   /* in the name, MUS_NONE without */
 } mus__seam_panel;
@@ -75,18 +75,18 @@ int32_t mus__seam_count_near(const mus__seam_facts *facts, int32_t a, double rat
 
 /* whether no garment has this seam: what is on one arm goes to no panel of the other side */
 bool mus__seam_never(const mus__seam_facts *facts, int32_t a, int32_t b);
-/* features (MUS__SEAM_PAIRS) of a seam */
+/* features (MUS__SEAM_PAIRS) of a seam, and (MUS__SEAM_FREES) of an edge that stays free */
 void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *out);
+void mus__seam_free_edge(const mus__seam_facts *facts, int32_t a, double *out);
 /* scratch memory of mus__seam_whole(), integers */
 #define MUS__SEAM_SCRATCH(facts) (4 * (facts)->n + 4 * (facts)->npanel)
 /* features (MUS__SEAM_WHOLES) of a sewing, mate (n) */
 void mus__seam_whole(const mus__seam_facts *facts, const int32_t *mate, int32_t *scratch, double *out);
 
-/* a search at work */
 typedef struct mus__seam_search {
     const mus__seam_facts *facts;
-    const double *weights;  /* (MUS__SEAM_FEATURES) those of a pair, then those of the whole */
-    double *pairs;          /* (n x n) score of each seam */
+    const double *weights;  /* (MUS__SEAM_FEATURES) those of a pair, of a free edge, of the whole */
+    double *pairs;          /* (n x n) score of each seam; on the diagonal of each free edge */
     int32_t *near, nnear;   /* (n x nnear) mates of highest score, best first */
     int32_t *mate;          /* (n) best sewing found */
     double score;
@@ -114,7 +114,7 @@ void mus__seam_run(mus__seam_search *search, int32_t rounds);
 /* score of the sewing less the highest that one change without the seam of edge a has; *other is a's mate in that */
 double mus__seam_margin(mus__seam_search *search, int32_t a, int32_t *other);
 
-extern const double mus__seam_weights[MUS__SEAM_FEATURES];
+extern const int16_t mus__seam_weights[MUS__SEAM_FEATURES]; /* in units of MUS__SEAM_WEIGHT_UNIT */
 extern const double mus__seam_confidence[2];
 
 #endif

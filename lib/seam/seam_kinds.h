@@ -16,6 +16,9 @@ enum {
     MUS__SEAM_ROLE_SKIRT,
     MUS__SEAM_ROLE_INSERT,
     MUS__SEAM_ROLE_LEG,
+    MUS__SEAM_ROLE_LEG_CUFF,
+    MUS__SEAM_ROLE_FLOUNCE, /* of a cuff */
+    MUS__SEAM_ROLE_POCKET,
     MUS__SEAM_ROLES
 };
 
@@ -25,7 +28,8 @@ enum {
 #define MUS__SEAM_LENGTHS 3    /* of two lengths: within 0.2 %, within 5 %, others */
 #define MUS__SEAM_SEAM_KINDS (MUS__SEAM_RELATIONS * MUS__SEAM_DIRECTIONS * MUS__SEAM_LENGTHS)
 #define MUS__SEAM_FREE_KINDS 36
-#define MUS__SEAM_ROLE_PAIRS (MUS__SEAM_ROLES * (MUS__SEAM_ROLES + 1)) /* no order; lengths within 20 % or not */
+#define MUS__SEAM_TWO_ROLES (MUS__SEAM_ROLES * (MUS__SEAM_ROLES + 1) / 2) /* two parts, without order */
+#define MUS__SEAM_TURNS 4 /* of two edges: both straight, as of complementary curves, equal, others */
 #define MUS__SEAM_SIDES 4 /* to which a free edge looks: down, up, across, between */
 
 #endif

@@ -62,7 +62,9 @@ static int32_t list_proposals(mus__seam_search *search, proposal *list)
 static mus_status propose(const mus__seam_facts *facts, proposal **list, int32_t *count)
 {
     mus__seam_search search;
-    mus_status status = mus__seam_begin(facts, mus__seam_weights, &search);
+    double weights[MUS__SEAM_FEATURES];
+    for (int32_t k = 0; k < MUS__SEAM_FEATURES; k++) weights[k] = MUS__SEAM_WEIGHT_UNIT * mus__seam_weights[k];
+    mus_status status = mus__seam_begin(facts, weights, &search);
     if (status != MUS_OK) return status;
     *list = mus_context_alloc(facts->context, NULL, sizeof **list * 2 * (size_t)(facts->n + 1));
     if (*list != NULL) {

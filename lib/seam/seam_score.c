@@ -82,7 +82,7 @@ static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, doubl
 
 static bool of_arm(const mus__seam_panel *p)
 {
-    return p->role == MUS__SEAM_ROLE_SLEEVE || p->role == MUS__SEAM_ROLE_CUFF;
+    return p->role == MUS__SEAM_ROLE_SLEEVE || p->role == MUS__SEAM_ROLE_CUFF || p->role == MUS__SEAM_ROLE_FLOUNCE;
 }
 
 
@@ -159,24 +159,39 @@ static void pair_notches(const mus__seam_facts *facts, const mus__seam_edge *x, 
 }
 
 
+/* how two edges look, of MUS__SEAM_DIRECTIONS */
+static int32_t pair_direction(const mus__seam_edge *x, const mus__seam_edge *y)
+{
+    const double mirror = -x->normal[0] * y->normal[0] + x->normal[1] * y->normal[1];
+    const double opposed = -x->normal[0] * y->normal[0] - x->normal[1] * y->normal[1];
+    return mirror > ALIGNED && opposed > ALIGNED  ? 0
+           : mirror > ALIGNED && x->normal[1] > 0 ? 1
+           : mirror > ALIGNED                     ? 2
+           : opposed > ALIGNED                    ? 3
+           : x->normal[1] * y->normal[1] < 0.0    ? 4
+                                                  : 5;
+}
+
+
+/* how two edges turn, of MUS__SEAM_TURNS */
+static int32_t pair_turns(const mus__seam_edge *x, const mus__seam_edge *y)
+{
+    if (fmax(fabs(x->turn), fabs(y->turn)) < CURVED) return 0;
+    if (fabs(x->turn + y->turn) < CURVED) return 1;
+    return fabs(x->turn - y->turn) < CURVED ? 2 : 3;
+}
+
+
 /* the kind of a seam: relation of the panels, directions of the edges, lengths */
 static int32_t pair_kind(const mus__seam_facts *facts, const mus__seam_edge *x, const mus__seam_edge *y,
                          const double *out)
 {
-    const double mirror = -x->normal[0] * y->normal[0] + x->normal[1] * y->normal[1];
-    const double opposed = -x->normal[0] * y->normal[0] - x->normal[1] * y->normal[1];
     const int32_t relation = x->panel == y->panel                          ? 0
                              : facts->panels[x->panel].image == y->panel   ? 1
                              : out[MUS__SEAM_FRONT_BACK] > 0.0             ? 2
                                                                            : 3;
-    const int32_t direction = mirror > ALIGNED && opposed > ALIGNED  ? 0
-                              : mirror > ALIGNED && x->normal[1] > 0 ? 1
-                              : mirror > ALIGNED                     ? 2
-                              : opposed > ALIGNED                    ? 3
-                              : x->normal[1] * y->normal[1] < 0.0    ? 4
-                                                                     : 5;
     const int32_t lengths = out[MUS__SEAM_EQUAL] > 0.0 ? 0 : out[MUS__SEAM_CLOSE] > 0.0 ? 1 : 2;
-    return (relation * MUS__SEAM_DIRECTIONS + direction) * MUS__SEAM_LENGTHS + lengths;
+    return (relation * MUS__SEAM_DIRECTIONS + pair_direction(x, y)) * MUS__SEAM_LENGTHS + lengths;
 }
 
 
@@ -198,7 +213,39 @@ void mus__seam_pair(const mus__seam_facts *facts, int32_t a, int32_t b, double *
     out[MUS__SEAM_KIND + pair_kind(facts, x, y, out)] = 1.0;
     const int32_t p = facts->panels[x->panel].role, q = facts->panels[y->panel].role;
     const int32_t parts = p > q ? p * (p + 1) / 2 + q : q * (q + 1) / 2 + p;
-    out[MUS__SEAM_ROLE + 2 * parts + (out[MUS__SEAM_EASED] > 0.0)] = 1.0;
+    const int32_t eased = 2 * parts + (out[MUS__SEAM_EASED] > 0.0);
+    out[MUS__SEAM_ROLE + eased] = 1.0;
+    out[MUS__SEAM_ROLE_WAY + eased * MUS__SEAM_DIRECTIONS + pair_direction(x, y)] = 1.0;
+    out[MUS__SEAM_ROLE_TURN + parts * MUS__SEAM_TURNS + pair_turns(x, y)] = 1.0;
+}
+
+
+/* ---- a free edge ---- */
+
+void mus__seam_free_edge(const mus__seam_facts *facts, int32_t a, double *out)
+{
+    const mus__seam_edge *x = &facts->edges[a];
+    const int32_t equal = x->equal, own = x->mirror != MUS_NONE && x->mirror != a;
+    const int32_t side = x->normal[1] < -0.9 ? 0 : x->normal[1] > 0.9 ? 1 : fabs(x->normal[0]) > 0.9 ? 2 : 3;
+    const int32_t shape = x->turn < -CURVED ? 0 : x->turn > CURVED ? 1 : 2;
+    const int32_t rivals = equal > own ? 0 : equal > 0 ? 1 : 2;
+    const int32_t kind = (side * 3 + shape) * 3 + rivals, role = facts->panels[x->panel].role;
+    memset(out, 0, MUS__SEAM_FREES * sizeof *out);
+    out[MUS__SEAM_FREE + kind] = 1.0;
+    out[MUS__SEAM_FREE_SIDE + role * MUS__SEAM_SIDES + side] = 1.0;
+    out[MUS__SEAM_FREE_ROLE + role * MUS__SEAM_FREE_KINDS + kind] = 1.0;
+    out[MUS__SEAM_FREE_TURN] = fmin(fabs(x->turn), 3.0);
+    out[MUS__SEAM_FREE_LENGTH] = x->length / facts->longest;
+    out[MUS__SEAM_FREE_NOTCH] = x->nnotch > 0;
+    out[MUS__SEAM_FREE_DOWN_LOW] = side == 0 && x->height < 0.2;
+    out[MUS__SEAM_FREE_UP_HIGH] = side == 1 && x->height > 0.8;
+    out[MUS__SEAM_FREE_CONCAVE_HIGH] = shape == 0 && x->height > 0.5;
+    out[MUS__SEAM_FREE_ALONE] = x->alone;
+    if (x->half == 0 || x->inwards <= 0) return;
+    out[MUS__SEAM_FREE_CENTRE] = 1.0;
+    out[MUS__SEAM_FREE_CENTRE_2] = x->line == 2;
+    out[MUS__SEAM_FREE_CENTRE_3] = x->line > 2;
+    out[MUS__SEAM_FREE_INNER + role] = 1.0;
 }
 
 
@@ -222,20 +269,6 @@ typedef struct surface {
 static void free_edge(const surface *s, int32_t a)
 {
     const mus__seam_edge *x = &s->facts->edges[a];
-    const int32_t equal = x->equal, own = x->mirror != MUS_NONE && x->mirror != a;
-    const int32_t direction = x->normal[1] < -0.9 ? 0 : x->normal[1] > 0.9 ? 1 : fabs(x->normal[0]) > 0.9 ? 2 : 3;
-    const int32_t shape = x->turn < -CURVED ? 0 : x->turn > CURVED ? 1 : 2;
-    const int32_t rivals = equal > own ? 0 : equal > 0 ? 1 : 2;
-    s->out[MUS__SEAM_FREE + (direction * 3 + shape) * 3 + rivals] += 1.0;
-    s->out[MUS__SEAM_FREE_ROLE + s->facts->panels[x->panel].role * MUS__SEAM_SIDES + direction] += 1.0;
-    s->out[MUS__SEAM_FREE_TURN] += fmin(fabs(x->turn), 3.0);
-    s->out[MUS__SEAM_FREE_LENGTH] += x->length / s->facts->longest;
-    s->out[MUS__SEAM_FREE_NOTCH] += x->nnotch > 0;
-    s->out[MUS__SEAM_FREE_DOWN_LOW] += x->normal[1] < -0.9 && x->height < 0.2;
-    s->out[MUS__SEAM_FREE_UP_HIGH] += x->normal[1] > 0.9 && x->height > 0.8;
-    s->out[MUS__SEAM_FREE_CONCAVE_HIGH] += x->turn < -CURVED && x->height > 0.5;
-    s->out[MUS__SEAM_FREE_ALONE] += x->alone;
-    s->out[MUS__SEAM_FREE_CENTRE] += x->half != 0 && x->inwards > 0;
     s->free[x->panel]++;
     s->out[MUS__SEAM_UNEVEN_FREE] +=
         x->mirror != MUS_NONE && s->facts->panels[x->panel].sure && s->mate[x->mirror] != MUS_NONE;
@@ -301,7 +334,7 @@ static void walk_vertex(surface *s, int32_t e)
         if (k > 0 && c == first) break;
         s->seen[c] = 1;
         const int32_t before_c = edges[c].prev;
-        if (fabs(edges[c].start - MUS__SEAM_PI) < 2.0 * ANGLES_SPREAD) {
+        if (fabs(edges[c].start - MUS__SEAM_PI) < MUS__SEAM_FLAT) {
             flat++;
             if (s->mate[c] != MUS_NONE && s->mate[before_c] != MUS_NONE)
                 join_line(s, before_c, c);

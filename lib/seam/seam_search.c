@@ -18,7 +18,8 @@
 #define SEARCH_HEAT 4.0   /* score, first temperature; chosen: a seam that one edge prefers by it may be opened */
 #define SEARCH_STEPS 1500 /* changes tried for each edge in one annealing; chosen: half a second for 60 edges */
 #define SEARCH_GAIN 1e-9  /* a change that raises the score by less is none */
-#define CHANGES_OF_MATE 10 /* alone, joined, continued, continued to the end, continued over seams; mirrored or not */
+#define WAYS 6 /* alone, joined, continued, to the end, over seams, over seams whose former mates are joined */
+#define CHANGES_OF_MATE (2 * WAYS) /* mirrored or not */
 
 
 static void *search_new(mus_context *context, int64_t count, size_t size)
@@ -51,6 +52,10 @@ mus_status mus__seam_begin(const mus__seam_facts *facts, const double *weights, 
             if (mus__seam_never(facts, a, b)) sum = -HUGE_VAL;
             out->pairs[(int64_t)a * n + b] = out->pairs[(int64_t)b * n + a] = sum;
         }
+        double features[MUS__SEAM_FREES], sum = 0.0;
+        mus__seam_free_edge(facts, a, features);
+        for (int32_t k = 0; k < MUS__SEAM_FREES; k++) sum += weights[MUS__SEAM_PAIRS + k] * features[k];
+        out->pairs[(int64_t)a * n + a] = sum;
         for (int32_t k = 0; k < SEARCH_NEAR; k++) near_a[k] = MUS_NONE;
     }
     for (int32_t a = 0; a < n; a++)
@@ -78,9 +83,10 @@ double mus__seam_score(mus__seam_search *search, const int32_t *mate)
     double whole[MUS__SEAM_WHOLES], sum = 0.0;
     const int32_t n = search->facts->n;
     mus__seam_whole(search->facts, mate, search->scratch, whole);
-    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) sum += search->weights[MUS__SEAM_PAIRS + k] * whole[k];
+    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++)
+        sum += search->weights[MUS__SEAM_PAIRS + MUS__SEAM_FREES + k] * whole[k];
     for (int32_t a = 0; a < n; a++)
-        if (mate[a] > a) sum += search->pairs[(int64_t)a * n + mate[a]];
+        if (mate[a] > a || mate[a] == MUS_NONE) sum += search->pairs[(int64_t)a * n + (mate[a] > a ? mate[a] : a)];
     return sum;
 }
 
@@ -166,8 +172,9 @@ static bool sew_on(const mus__seam_facts *facts, int32_t a, int32_t b, bool to_e
 
 
 /* sews on from the seam of a and b, both ways along the two outlines, over the seams that are there, as long as the
- * ratio of the lengths stays the same: an insert goes into its slit at once */
-static bool sew_over(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t *mate)
+ * ratio of the lengths stays the same: an insert goes into its slit at once. With `join` the former mates are sewn to
+ * one another where both are: the insert that was in the slit goes where the other came from */
+static bool sew_over(const mus__seam_facts *facts, int32_t a, int32_t b, bool join, int32_t *mate)
 {
     const mus__seam_edge *edges = facts->edges;
     const double ratio = edges[a].log_length - edges[b].log_length;
@@ -178,7 +185,9 @@ static bool sew_over(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t
             y = way == 0 ? edges[y].prev : edges[y].next;
             if (x == a || y == b || x == y || x == b || y == a || mate[x] == y) break;
             if (fabs(edges[x].log_length - edges[y].log_length - ratio) > MUS__SEAM_EQUAL_RATIOS) break;
-            if (mus__seam_never(facts, x, y) || !sew_pair(facts->fixed, x, y, false, mate)) break;
+            if (mus__seam_never(facts, x, y)) break;
+            const bool both = join && mate[x] != MUS_NONE && mate[y] != MUS_NONE;
+            if (!sew_pair(facts->fixed, x, y, both, mate)) break;
             changed = true;
         }
     return changed;
@@ -188,7 +197,7 @@ static bool sew_over(const mus__seam_facts *facts, int32_t a, int32_t b, int32_t
 /* what lies beside the seam of a and b is sewn as the change tells */
 static bool go_on(const mus__seam_facts *facts, const mus__seam_change *change, int32_t a, int32_t b, int32_t *mate)
 {
-    return change->over ? sew_over(facts, a, b, mate) : sew_on(facts, a, b, change->to_end, mate);
+    return change->over ? sew_over(facts, a, b, change->join, mate) : sew_on(facts, a, b, change->to_end, mate);
 }
 
 
@@ -232,11 +241,11 @@ bool mus__seam_change_list(const mus__seam_search *search, int32_t i, mus__seam_
     } else {
         out->b = search->near[(int64_t)a * SEARCH_NEAR + (k - 2) / CHANGES_OF_MATE];
         const int32_t way = (k - 2) % CHANGES_OF_MATE;
-        out->join = way % 5 == 1;
-        out->on = way % 5 > 1;
-        out->to_end = way % 5 == 3;
-        out->over = way % 5 == 4;
-        out->mirrored = way >= 5;
+        out->join = way % WAYS == 1 || way % WAYS == 5;
+        out->on = way % WAYS > 1;
+        out->to_end = way % WAYS == 3;
+        out->over = way % WAYS >= 4;
+        out->mirrored = way >= WAYS;
     }
     return true;
 }

@@ -122,16 +122,42 @@ START_TEST(names_tell_the_parts_of_a_garment)
     static const struct {
         const char *name;
         int32_t role;
-    } panels[] = {{"Sleeve_left", MUS__SEAM_ROLE_SLEEVE}, {"pant_l_cuff_b", MUS__SEAM_ROLE_CUFF},
+    } panels[] = {{"Sleeve_left", MUS__SEAM_ROLE_SLEEVE}, {"pant_l_cuff_b", MUS__SEAM_ROLE_LEG_CUFF},
                   {"front skirt 2", MUS__SEAM_ROLE_SKIRT}, {"left_ftorso", MUS__SEAM_ROLE_TORSO},
-                  {"inside", MUS__SEAM_ROLE_NONE},         {"17", MUS__SEAM_ROLE_NONE}};
+                  {"inside", MUS__SEAM_ROLE_NONE},         {"17", MUS__SEAM_ROLE_NONE},
+                  {"cuff_right", MUS__SEAM_ROLE_CUFF},     {"sl_left_cuff_skirt_f", MUS__SEAM_ROLE_FLOUNCE},
+                  {"pocket_left", MUS__SEAM_ROLE_POCKET}};
+    const int32_t count = (int32_t)(sizeof panels / sizeof *panels);
     mus_context *context = support_context();
     mus_pattern *pattern;
     mus__seam_facts facts;
     ck_assert_int_eq(mus_pattern_create(context, "parts", &pattern), MUS_OK);
-    for (int32_t i = 0; i < 6; i++) add_trapezoid(pattern, panels[i].name, 0.3, 0.4, 0.5);
+    for (int32_t i = 0; i < count; i++) add_trapezoid(pattern, panels[i].name, 0.3, 0.4, 0.5);
     ck_assert_int_eq(mus__seam_read(pattern, &facts), MUS_OK);
-    for (int32_t i = 0; i < 6; i++) ck_assert_int_eq(facts.panels[i].role, panels[i].role);
+    for (int32_t i = 0; i < count; i++) ck_assert_int_eq(facts.panels[i].role, panels[i].role);
+    mus__seam_free(&facts);
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
+/* a is sewn to b, c to d; where a goes to d at once, b goes to c: each panel keeps a partner for all its edges */
+START_TEST(a_panel_takes_the_place_of_another_in_one_change)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern;
+    mus__seam_facts facts;
+    int32_t mate[16];
+    ck_assert_int_eq(mus_pattern_create(context, "four", &pattern), MUS_OK);
+    for (int32_t p = 0; p < 4; p++) add_trapezoid(pattern, (const char *const[]){"a", "b", "c", "d"}[p], 0.3, 0.4, 0.5);
+    ck_assert_int_eq(mus__seam_read(pattern, &facts), MUS_OK);
+    for (int32_t p = 0; p < 4; p++)
+        for (int32_t i = 0; i < 4; i++) mate[4 * p + i] = 4 * (p ^ 1) + (4 - i) % 4;
+    const mus__seam_change change = {.a = 1, .b = 15, .join = true, .on = true, .over = true};
+    ck_assert(mus__seam_change_apply(&facts, &change, mate));
+    for (int32_t p = 0; p < 4; p++)
+        for (int32_t i = 0; i < 4; i++) ck_assert_int_eq(mate[4 * p + i], 4 * (3 - p) + (4 - i) % 4);
     mus__seam_free(&facts);
     mus_pattern_destroy(pattern);
     support_context_end(context);
@@ -189,6 +215,7 @@ Suite *mus_suite_seam_propose(void)
     tcase_add_test(tests, a_seam_that_is_there_is_kept);
     tcase_add_test(tests, the_surface_of_a_skirt_is_a_tube);
     tcase_add_test(tests, names_tell_the_parts_of_a_garment);
+    tcase_add_test(tests, a_panel_takes_the_place_of_another_in_one_change);
     tcase_add_test(tests, an_arm_is_not_sewn_to_the_other_side);
     tcase_add_test(tests, a_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);

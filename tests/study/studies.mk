@@ -5,7 +5,7 @@ ON_DATA = --command $(BIN)/muslin --data '$(MUSLIN_DATA)'
 ANSUR = '$(MUSLIN_DATA)/anthropometry/ansur2_garment_cm.csv'
 TAPE := examples/tapes/w40.tape
 same check attack check-hosts check-omit check-large people slips outside manifold designs worn catalogue-bench day: APT_GROUP = test
-report page girths trade fabric: APT_GROUP = report
+report page girths trade drapes fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
@@ -23,6 +23,7 @@ RUN_motion = $(PYTHON) tests/study/motion/run.py --command $(BIN)/muslin --out $
 RUN_feet = $(PYTHON) tests/study/feet/feet.py --command $(BIN)/muslin $(FEET)
 RUN_girths = $(PYTHON) tests/study/girths/girths.py $(ON_DATA)
 RUN_trade = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/trade.py --data '$(MUSLIN_DATA)' $(TRADE)
+RUN_drapes = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/trade/drapes.py $(ON_DATA) --out $(OUT)/drapes $(DRAPES)
 RUN_layout = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) tests/study/layout/layout.py --data '$(MUSLIN_DATA)' $(LAYOUT)
 RUN_gallery = MUSLIN_LIB='$(LIB)/libmuslin.so' $(PYTHON) examples/gallery/gallery.py --bin $(BIN) --out $(OUT)/gallery --strip examples/gallery/strip.png
 RUN_fabric = $(PYTHON) tests/study/fabric/fabric.py --csv $(OUT)/out/fabric.csv $(FABRIC)

@@ -40,14 +40,17 @@
 
 #define NAME_OF(name, text) text,
 static const char *const pair_names[MUS__SEAM_KIND] = {MUS__SEAM_PAIR(NAME_OF)};
-static const char *const whole_names[MUS__SEAM_FREE] = {MUS__SEAM_WHOLE(NAME_OF)};
+static const char *const free_names[MUS__SEAM_FREE] = {MUS__SEAM_FREE_EDGE(NAME_OF)};
+static const char *const whole_names[MUS__SEAM_WHOLES] = {MUS__SEAM_WHOLE(NAME_OF)};
 
 static const char *feature_name(int32_t k)
 {
     if (k < MUS__SEAM_KIND) return pair_names[k];
     if (k < MUS__SEAM_PAIRS) return k < MUS__SEAM_ROLE ? "a kind of seam" : "parts of a garment";
-    if (k < MUS__SEAM_PAIRS + MUS__SEAM_FREE) return whole_names[k - MUS__SEAM_PAIRS];
-    return k < MUS__SEAM_PAIRS + MUS__SEAM_FREE_ROLE ? "a kind of free edge" : "a free edge of a part";
+    k -= MUS__SEAM_PAIRS;
+    if (k < MUS__SEAM_FREE) return free_names[k];
+    if (k < MUS__SEAM_FREES) return k < MUS__SEAM_FREE_SIDE ? "a kind of free edge" : "a free edge of a part";
+    return whole_names[k - MUS__SEAM_FREES];
 }
 
 
@@ -63,6 +66,13 @@ static void add_pairs(const garment *g, const int32_t *mate, const int32_t *less
             mus__seam_pair(&g->facts, a, b, features);
             for (int32_t k = 0; k < MUS__SEAM_PAIRS; k++) x[k] += sign * features[k];
         }
+    for (int32_t a = 0; a < g->facts.n; a++) {
+        if ((mate[a] == MUS_NONE) == (less[a] == MUS_NONE)) continue;
+        double free_edge[MUS__SEAM_FREES];
+        mus__seam_free_edge(&g->facts, a, free_edge);
+        for (int32_t k = 0; k < MUS__SEAM_FREES; k++)
+            x[MUS__SEAM_PAIRS + k] += mate[a] == MUS_NONE ? free_edge[k] : -free_edge[k];
+    }
 }
 
 
@@ -95,8 +105,8 @@ static void add_row(newton *fit, const garment *g, const int32_t *mate, const in
 {
     double x[D] = {0};
     add_pairs(g, mate, chosen, x);
-    mus__seam_whole(&g->facts, mate, scratch, x + MUS__SEAM_PAIRS);
-    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) x[MUS__SEAM_PAIRS + k] -= base[k];
+    mus__seam_whole(&g->facts, mate, scratch, x + D - MUS__SEAM_WHOLES);
+    for (int32_t k = 0; k < MUS__SEAM_WHOLES; k++) x[D - MUS__SEAM_WHOLES + k] -= base[k];
     if (fit->nrow == fit->row_room) {
         fit->row_room = 2 * fit->row_room + 65536;
         fit->rows = realloc(fit->rows, sizeof *fit->rows * (size_t)fit->row_room);
@@ -133,7 +143,7 @@ static void derive(newton *fit, int32_t first, int32_t end, double highest, doub
     for (int32_t i = first; i < end; i++) {
         const row *r = &fit->rows[i];
         const double p = exp(fit->z[i] - highest) / sum;
-        if (p < 1e-9) continue;
+        if (p < 1e-6) continue; /* moves no weight by more than the fit's own end */
         for (int32_t a = r->first; a < r->first + r->n; a++) {
             const double pa = p * (double)fit->values[a];
             double *h = fit->hessian + fit->places[a] * D;
@@ -349,12 +359,20 @@ static void fit_confidence(double *c)
 static void write_weights(const char *path, const double *w, const double *c)
 {
     FILE *f = fopen(path, "w");
+    int column = 0;
     if (f == NULL) return;
     fprintf(
         f, "/*\n * seam_weights.c: weights of the features of a sewing, and of the confidence. Written by `make seams\n"
            " * SEAMS='--fit lib/seam/seam_weights.c'`; do not edit.\n */\n#include \"seam/seam_find.h\"\n\n"
-           "const double mus__seam_weights[MUS__SEAM_FEATURES] = {\n");
-    for (int32_t k = 0; k < D; k++) fprintf(f, "    %.6g, /* %s */\n", w[k], feature_name(k));
+           "const int16_t mus__seam_weights[MUS__SEAM_FEATURES] = {\n");
+    for (int32_t k = 0; k < D; k++) {
+        const long weight = lrint(w[k] / MUS__SEAM_WEIGHT_UNIT);
+        const bool begins = k == 0 || strcmp(feature_name(k), feature_name(k - 1)) != 0;
+        const bool same = k + 1 < D && strcmp(feature_name(k), feature_name(k + 1)) == 0;
+        if (begins) column = fprintf(f, "    /* %s */", feature_name(k));
+        if (column > 110) column = fprintf(f, "\n   ") - 1;
+        column += fprintf(f, " %ld,%s", weight, same ? "" : "\n");
+    }
     fprintf(f, "};\n\n/* factor and constant of the margin */\nconst double mus__seam_confidence[2] = {%.6g, %.6g};\n",
             c[0], c[1]);
     fclose(f);
@@ -479,7 +497,7 @@ int main(int argc, char **argv)
     garments_add_specifications(&all, context, argv[1], out != NULL);
     static newton fit;
     double confidence[2] = {mus__seam_confidence[0], mus__seam_confidence[1]};
-    memcpy(fit.w, mus__seam_weights, sizeof fit.w);
+    for (int32_t k = 0; k < D; k++) fit.w[k] = MUS__SEAM_WEIGHT_UNIT * mus__seam_weights[k];
     if (out != NULL) {
         memset(fit.w, 0, sizeof fit.w);
         fit_weights(&fit, &all);

@@ -1,7 +1,7 @@
 /*
  * seams.c: the seams of patterns are taken away and found again: `make seams`.
  *
- *     build/bin/seams DATA [--every N] [--rounds N] [--drawings FOLDER] [--swap] [--fit FILE] [--list]
+ *     build/bin/seams DATA [--every N] [--rounds N] [--drawings FOLDER] [--mixed] [--swap] [--fit FILE] [--list]
  *
  * The patterns are every N-th named design (default 8), each in one size, and every GarmentCode specification of the
  * folder DATA. They are in two halves: designs by the hash of their family, specifications by their number, so that the
@@ -10,7 +10,8 @@
  * with --fit and --list it lists the errors in the fitted half by weights that never saw it. --rounds is that of the
  * annealing. The specifications of one body are also fitted without their sleeves, collars, upper and lower halves.
  * With --drawings the GarmentCode drawings of a folder are fitted in place of the specifications of DATA, which are
- * then all judged; so is one drawing of five.
+ * then all judged; so is one drawing of five. With --mixed every second design is fitted, whatever its family: the
+ * judged ones are then not strangers, but other designs of known families.
  *
  * The fit: at the true sewing, at those that the search found, and at the true one without the seams of a panel, the
  * changes that the search would try are a group, in which one choice is right: the change that makes most seams right,
@@ -488,6 +489,8 @@ int main(int argc, char **argv)
             garments_add_drawings(&all, context, argv[++i]);
         else if (strcmp(argv[i], "--fit") == 0 && i + 1 < argc)
             out = argv[++i];
+        else if (strcmp(argv[i], "--mixed") == 0)
+            all.mixed = true;
         else if (strcmp(argv[i], "--swap") == 0)
             all.swap = true;
         else if (strcmp(argv[i], "--list") == 0)

@@ -95,7 +95,8 @@ void garments_add_designs(garments *to, mus_context *context, int32_t every)
         }
         garment *g = add_garment(to, context, pattern, mus_design_name(i));
         g->kind = OF_DESIGN;
-        g->judged = (hash_text(mus_design_family(i)) % 2 != 0) != to->swap;
+        const uint32_t half = to->mixed ? (uint32_t)(i / every) : hash_text(mus_design_family(i));
+        g->judged = (half % 2 != 0) != to->swap;
     }
     for (int32_t i = 0; i < 3; i++) mus_tape_destroy(tapes[i]);
 }

@@ -24,6 +24,7 @@ typedef struct garments {
     garment *list;
     int32_t n;
     bool swap; /* the halves change places */
+    bool mixed; /* of each family of designs some are fitted */
     bool drawn; /* there are drawings to fit: all specifications are judged */
 } garments;
 

@@ -179,7 +179,8 @@ MUS_API int32_t mus_body_triangle_count(const mus_body *body);
  *
  * Each limb is a closed shell. On a body made from a tape two limbs that meet have a smooth union (a fillet, up to 12
  * mm off the limbs in the crease at a stature of 1.68 m), and the cleft of the seat is 18 mm deep. The skin is what
- * cloth touches, but for fingers and toes, which contact knows as mittens and closed feet; mus_body_made() measures it.
+ * cloth touches, but between fingers and toes: to cloth a hand is a mitten over its fingers, a foot a sock over its
+ * toes. mus_body_made() measures it.
  */
 MUS_API const double *mus_body_vertices(const mus_body *body);
 

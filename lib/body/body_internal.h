@@ -42,27 +42,27 @@ struct mus_body {
     mus__skeleton skeleton;
     double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
     int32_t source[MUS_MEASURE_COUNT];
-    bool measured;   /* made from a tape: it has landmarks and measures */
-    bool scanned;    /* made from a mesh: limbs that it lacks cannot be posed */
-    bool jointed;    /* made from a tape or a mesh: it has bones and can be posed */
+    bool measured; /* made from a tape: it has landmarks and measures */
+    bool scanned;  /* made from a mesh: limbs that it lacks cannot be posed */
+    bool jointed;  /* made from a tape or a mesh: it has bones and can be posed */
     mus__bones bones;
     mus__limb *limb; /* (limb_count) */
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;     /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
-    double *normals;      /* (vertex_count + digit_vertices x 3) */
-    int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
-    double *ring;         /* (rings of all limbs) s of each ring [m] */
+    double *vertices;   /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
+    double *normals;    /* (vertex_count + digit_vertices x 3) */
+    int32_t *triangles; /* (triangle_count + digit_triangles x 3) */
+    double *ring;       /* (rings of all limbs) s of each ring [m] */
     int32_t creases;
-    mus__crease *crease;  /* (creases) */
-    double fillet;        /* width of the fillets where limbs meet [m], 0: none */
+    mus__crease *crease;                     /* (creases) */
+    double fillet;                           /* width of the fillets where limbs meet [m], 0: none */
     int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     mus__rig rig;
     mus__body_level level[MUS__LEVEL_COUNT][2]; /* in the rest pose, left and right; none without a tape */
-    mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
-    mus__stance stance; /* pose of a posed body */
-    mus__field *field;  /* (nfield) one for each part of the rig, in that order */
+    mus__frame *frame;                          /* (parts) frames of a posed body, NULL: it stands in the rest pose */
+    mus__stance stance;                         /* pose of a posed body */
+    mus__field *field;                          /* (nfield) one for each part of the rig, in that order */
     int32_t nfield;
     mus__body_kept *kept;
 };
@@ -70,8 +70,13 @@ struct mus_body {
 /* a finger or toe in the skin: an end point, rings of so many vertices, an end point; chosen */
 #define MUS__DIGIT_ROUND 12
 #define MUS__DIGIT_RINGS 9
+#define MUS__DIGIT_VERTICES (MUS__DIGIT_ROUND * MUS__DIGIT_RINGS + 2)
+#define MUS__DIGITS 5 /* of a hand or foot */
+#define MUS__DIGITS_VERTICES (MUS__DIGITS * MUS__DIGIT_VERTICES)
 /* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
 bool mus__digit_has(const mus_body *body, int32_t which);
+/* whether a part carries fingers or toes; x (MUS__DIGITS_VERTICES x 3) gets their vertices in the rest pose then */
+bool mus__digit_of_part(const mus_body *body, int32_t part, double *x);
 
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);

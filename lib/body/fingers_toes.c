@@ -51,7 +51,7 @@ typedef struct digit_base {
     int32_t part;
 } digit_base;
 
-enum { DIGIT_A_SIDE = 5, DIGIT_LIMBS = 4 };
+enum { DIGIT_LIMBS = 4 };
 
 
 bool mus__digit_has(const mus_body *body, int32_t which)
@@ -67,8 +67,8 @@ void mus__digit_counts(const mus_body *body, int32_t *vertices, int32_t *triangl
 {
     int32_t digits = 0;
     for (int32_t which = 0; which < DIGIT_LIMBS && body->measured; which++)
-        if (mus__digit_has(body, which)) digits += DIGIT_A_SIDE;
-    *vertices = digits * (DIGIT_ROUND * DIGIT_RINGS + 2);
+        if (mus__digit_has(body, which)) digits += MUS__DIGITS;
+    *vertices = digits * MUS__DIGIT_VERTICES;
     *triangles = digits * 2 * DIGIT_ROUND * DIGIT_RINGS;
 }
 
@@ -179,24 +179,42 @@ static void digit_stretch(const digit_base *base, int32_t n, double *x)
 }
 
 
+/* vertices (MUS__DIGITS_VERTICES x 3) of the digits of a hand or foot in the rest pose; returns the part that carries
+ * them */
+static int32_t digit_side(const mus_body *body, int32_t which, double *x)
+{
+    digit_base base;
+    const bool toe = which >= 2;
+    if (toe)
+        digit_foot(body, which % 2, &base);
+    else
+        digit_hand(body, which % 2, &base);
+    for (int32_t d = 0; d < MUS__DIGITS; d++)
+        digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, x + 3 * (ptrdiff_t)d * MUS__DIGIT_VERTICES);
+    if (toe) digit_stretch(&base, MUS__DIGITS_VERTICES, x);
+    return base.part;
+}
+
+
+bool mus__digit_of_part(const mus_body *body, int32_t part, double *x)
+{
+    for (int32_t which = 0; which < DIGIT_LIMBS && body->digit_vertices > 0; which++)
+        if (mus__digit_has(body, which) && digit_side(body, which, x) == part) return true;
+    return false;
+}
+
+
 void mus__digit_make(mus_body *body)
 {
-    const int32_t each = DIGIT_ROUND * DIGIT_RINGS + 2;
+    const int32_t each = MUS__DIGIT_VERTICES;
     int32_t vertex = body->vertex_count, *triangle = body->triangles + 3 * (ptrdiff_t)body->triangle_count;
     for (int32_t limb = 0; limb < DIGIT_LIMBS; limb++) {
-        digit_base base;
-        const bool toe = limb >= 2;
         if (!mus__digit_has(body, limb)) continue;
-        if (toe) digit_foot(body, limb % 2, &base);
-        else digit_hand(body, limb % 2, &base);
-        double *first = body->vertices + 3 * (ptrdiff_t)vertex;
-        for (int32_t d = 0; d < DIGIT_A_SIDE; d++)
-            digit_tube(&base, toe ? &digit_toes[d] : &digit_fingers[d], toe, first + 3 * (ptrdiff_t)d * each);
-        if (toe) digit_stretch(&base, DIGIT_A_SIDE * each, first);
-        for (int32_t d = 0; d < DIGIT_A_SIDE; d++) {
+        const int32_t part = digit_side(body, limb, body->vertices + 3 * (ptrdiff_t)vertex);
+        for (int32_t d = 0; d < MUS__DIGITS; d++) {
             double *x = body->vertices + 3 * (ptrdiff_t)vertex;
             for (int32_t i = 0; i < each && body->frame != NULL; i++)
-                mus__frame_point(&body->frame[base.part], x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)i);
+                mus__frame_point(&body->frame[part], x + 3 * (ptrdiff_t)i, x + 3 * (ptrdiff_t)i);
             mus__ring_normals(x, DIGIT_ROUND, DIGIT_RINGS, 0, body->normals + 3 * (ptrdiff_t)vertex);
             mus__ring_triangles(vertex, DIGIT_RINGS, DIGIT_ROUND, triangle);
             vertex += each;

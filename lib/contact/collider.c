@@ -10,6 +10,8 @@
  *
  *   collider.[ch]                surfaces: made from a body, depth of a point, surfaces near a point
  *   offset_surface.[ch]          radius fields of the surface that cloth rests on, made once a body and shared
+ *   digit_cover.c                those of hands and feet, widened over fingers and toes
+ *   hands_feet.[ch]              hands and feet while a garment is put on, and the ends of fingers
  *   collider_motion.c            moves parts and planes; motion of each surface in the last step
  *   contact.h, contact_f32.c, contact_f64.c  the passes that a drape calls after a step, in float and in double:
  *     contact_kernel.h           the exact pass, chunk by chunk: boxes, queries, response
@@ -136,19 +138,42 @@ static double plane_depth(const mus__collider *collider, int32_t k, const double
 }
 
 
-double mus__collider_body_depth(const mus__collider *collider, const double *point, double margin, double *normal)
+double mus__collider_parts_depth(const mus__collider *collider, uint64_t parts, const double *point, double margin,
+                                 double *normal)
 {
     double p[3], deepest = -COLLIDER_FAR;
     to_state(collider, point, p);
-    for (int32_t l = 0; l < collider->nparts; l++) {
+    for (; parts != 0; parts &= parts - 1) {
         double n[3];
         int32_t near;
+        const int32_t l = mus__lowest_bit(parts);
         const double depth = mus__field_query_f64(&collider->field64[l], p, margin, n, &near) - collider->offset;
         if (near != 1 || depth <= deepest) continue;
         deepest = depth;
         if (normal != NULL) memcpy(normal, n, sizeof n);
     }
     return deepest;
+}
+
+
+double mus__collider_body_depth(const mus__collider *collider, const double *point, double margin, double *normal)
+{
+    const uint64_t all = collider->nparts < 64 ? ((uint64_t)1 << collider->nparts) - 1 : ~(uint64_t)0;
+    return mus__collider_parts_depth(collider, all, point, margin, normal);
+}
+
+
+uint64_t mus__collider_parts_near(const mus__collider *collider, const double *low, const double *high, double margin)
+{
+    uint64_t near = 0;
+    for (int32_t l = 0; l < collider->nparts; l++) {
+        const double *box = collider->box + 6 * (ptrdiff_t)l, *o = collider->origin;
+        const bool away = low[0] - o[0] > box[3] + margin || high[0] - o[0] < box[0] - margin ||
+                          low[1] - o[1] > box[4] + margin || high[1] - o[1] < box[1] - margin ||
+                          low[2] - o[2] > box[5] + margin || high[2] - o[2] < box[2] - margin;
+        near |= (uint64_t)!away << l;
+    }
+    return near;
 }
 
 

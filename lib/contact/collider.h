@@ -104,6 +104,11 @@ void mus__collider_update_speed(mus__collider *collider);
 double mus__collider_depth(const mus__collider *collider, const double *point, double margin, double *normal);
 /* the same of the body alone, without planes and discs */
 double mus__collider_body_depth(const mus__collider *collider, const double *point, double margin, double *normal);
+/* the parts, a bit each, that may be nearer than `margin` [m] to a box of the world, from low (3) to high (3) */
+uint64_t mus__collider_parts_near(const mus__collider *collider, const double *low, const double *high, double margin);
+/* mus__collider_body_depth() of some parts, a bit each */
+double mus__collider_parts_depth(const mus__collider *collider, uint64_t parts, const double *point, double margin,
+                                 double *normal);
 
 /* surfaces nearer to a point of the world than `reach` [m]: outward normals (MUS__TOUCHING_MAX x 3) and friction
  * coefficients (MUS__TOUCHING_MAX), below 0 where the rule's holds. Returns their number */

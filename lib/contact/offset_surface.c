@@ -127,8 +127,7 @@ static void offset_ring(const offset_columns *all, int32_t k, double *radius)
         back[i] =
             (c[0] - c0[0] - t[i] * (c0[2] - c0[0])) * all->ua[i] + (c[1] - c0[1] - t[i] * (c0[3] - c0[1])) * all->ub[i];
     }
-    for (int32_t i = 0; i < OFFSET_LANES; i++)
-        found[i] = sqrt(squared[i]) + offset * plane[i] / length_g[i] - back[i];
+    for (int32_t i = 0; i < OFFSET_LANES; i++) found[i] = sqrt(squared[i]) + offset * plane[i] / length_g[i] - back[i];
     for (int32_t i = 0; i < OFFSET_LANES; i++) radius[all->column[i]] = found[i];
 }
 
@@ -142,8 +141,8 @@ static void offset_radii(const mus__field *field, double offset, double *scratch
         memcpy(radius, field->radius, (size_t)field->nring * (size_t)n * sizeof *radius);
         return;
     }
-    offset_columns at = {.field = field, .offset = offset, .radius = scratch, .plane2 = scratch + rings,
-                         .along = scratch + 2 * rings};
+    offset_columns at = {
+        .field = field, .offset = offset, .radius = scratch, .plane2 = scratch + rings, .along = scratch + 2 * rings};
     for (int32_t first = 0; first < n; first += OFFSET_LANES) {
         offset_columns_at(&at, first);
         for (int32_t k = 0; k < field->nring; k++) offset_slopes(&at, k);
@@ -224,6 +223,25 @@ static void fill_float(const mus__field_f64 *from, mus__field_f32 *to, float *ta
 }
 
 
+/* where the tables of the next field go */
+typedef struct offset_tables {
+    double *table64;
+    float *table32;
+} offset_tables;
+
+
+/* a field in both precisions */
+static void fill_field(const mus__offset_surface *surface, const mus__field *from, double *scratch,
+                       offset_tables *tables, mus__field_f64 *to64, mus__field_f32 *to32)
+{
+    const int64_t size = (int64_t)from->nring * (from->nangle + 3);
+    fill_double(from, surface->offset, scratch, to64, tables->table64);
+    fill_float(to64, to32, tables->table32);
+    tables->table64 += size;
+    tables->table32 += size;
+}
+
+
 /* a part as it was made: the field of a posed body is carried by a frame, its limb is not */
 static void fill_part(const mus__field *from, const mus__limb *limb, mus__offset_part *part)
 {
@@ -245,31 +263,41 @@ static mus_status offset_make(mus__offset_surface *surface, const mus_body *body
 {
     mus_context *context = surface->context;
     const int32_t n = surface->nparts = body->nfield;
-    int64_t total = 0, rings = 0, at = 0;
+    int64_t total = 0, rings = 0, most = 0;
     for (int32_t l = 0; l < n; l++) {
+        const int64_t own = (int64_t)body->field[l].nring * body->field[l].nangle;
         total += (int64_t)body->field[l].nring * (body->field[l].nangle + 3);
         rings = body->field[l].nring > rings ? body->field[l].nring : rings;
+        most = own > most ? own : most;
     }
-    surface->field32 = mus__new(context, n, sizeof *surface->field32);
-    surface->field64 = mus__new(context, n, sizeof *surface->field64);
+    surface->field32 = mus__new(context, 2 * (int64_t)n, sizeof *surface->field32);
+    surface->field64 = mus__new(context, 2 * (int64_t)n, sizeof *surface->field64);
     surface->part = mus__new(context, n, sizeof *surface->part);
-    surface->table32 = mus__room(context, total, sizeof *surface->table32);
-    surface->table64 = mus__room(context, total, sizeof *surface->table64);
-    double *scratch = mus__room(context, 3 * OFFSET_LANES * rings, sizeof *scratch);
+    surface->table32 = mus__room(context, 2 * total, sizeof *surface->table32);
+    surface->table64 = mus__room(context, 2 * total, sizeof *surface->table64);
+    double *scratch = mus__room(context, 3 * OFFSET_LANES * rings + most, sizeof *scratch);
     if (surface->field32 == NULL || surface->field64 == NULL || surface->part == NULL || surface->table32 == NULL ||
         surface->table64 == NULL || scratch == NULL) {
         mus__free(context, scratch);
         return mus__fail_memory(context, "the radius fields of a collider");
     }
-    for (int32_t l = 0; l < n; l++) {
-        const mus__field *field = &body->field[l];
-        fill_double(field, surface->offset, scratch, &surface->field64[l], surface->table64 + at);
-        fill_float(&surface->field64[l], &surface->field32[l], surface->table32 + at);
-        fill_part(field, &body->limb[body->rig.part[l].limb], &surface->part[l]);
-        at += (int64_t)field->nring * (field->nangle + 3);
+    surface->slim32 = surface->field32 + n, surface->slim64 = surface->field64 + n;
+    mus_status status = MUS_OK;
+    offset_tables tables = {surface->table64, surface->table32};
+    for (int32_t l = 0; l < n && status == MUS_OK; l++) {
+        mus__field field = body->field[l];
+        fill_field(surface, &field, scratch, &tables, &surface->slim64[l], &surface->slim32[l]);
+        status = mus__digit_cover(body, l, scratch + 3 * OFFSET_LANES * rings, &field, &surface->part[l]);
+        if (surface->part[l].digits) {
+            fill_field(surface, &field, scratch, &tables, &surface->field64[l], &surface->field32[l]);
+        } else {
+            surface->field64[l] = surface->slim64[l];
+            surface->field32[l] = surface->slim32[l];
+        }
+        fill_part(&field, &body->limb[body->rig.part[l].limb], &surface->part[l]);
     }
     mus__free(context, scratch);
-    return MUS_OK;
+    return status;
 }
 
 

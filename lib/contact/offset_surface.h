@@ -11,11 +11,17 @@
 
 #include "contact/contact_template.h"
 
+#define MUS__ENDS 6 /* free ends of a hand: of the limb itself and of five fingers */
+
 /* a part as it was made, in the body frame */
 typedef struct mus__offset_part {
     double origin[3], axis[3], side[3], front[3];
-    double end[2], reach; /* extent of the skin along the axis, and across it [m] */
-    double safe;          /* a node that moves no further in a step cannot pass through this part [m] */
+    double end[2], reach;          /* extent of the skin along the axis, and across it [m] */
+    double safe;                   /* a node that moves no further in a step cannot pass through this part [m] */
+    bool foot;                     /* of a body made from a tape */
+    bool digits;                   /* its field is widened over fingers or toes (digit_cover.c) */
+    int32_t ends;                  /* free ends of a hand: its own and those of its fingers; 0: it has none */
+    double end_axis[MUS__ENDS][6]; /* from root to tip: s from the first ring, a, b of both [m] */
 } mus__offset_part;
 
 typedef struct mus__offset_surface {
@@ -26,6 +32,8 @@ typedef struct mus__offset_surface {
     double offset;           /* distance off the skin [m] */
     mus__field_f64 *field64; /* (nparts) fields without a place: origin and directions are not set */
     mus__field_f32 *field32; /* (nparts) the same rounded */
+    mus__field_f64 *slim64;  /* (nparts) the same without fingers and toes */
+    mus__field_f32 *slim32;  /* (nparts) */
     mus__offset_part *part;  /* (nparts) */
     double *table64;         /* centres, radii and maxima of all fields */
     float *table32;
@@ -37,5 +45,10 @@ mus_status mus__offset_surface_take(mus_context *context, const mus_body *body, 
                                     mus__offset_surface **out);
 /* one user less; the last one destroys it. NULL is accepted */
 void mus__offset_surface_leave(mus__offset_surface *surface);
+
+/* digit_cover.c: widens *field, a copy of that of a part, over its fingers or toes, if it has any: its radii are put
+ * into `radius` (nring x nangle) then. *to: whether it is a foot, and its free ends. Errors: MUS_ERR_MEMORY */
+mus_status mus__digit_cover(const mus_body *body, int32_t part, double *radius, mus__field *field,
+                            mus__offset_part *to);
 
 #endif

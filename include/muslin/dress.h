@@ -75,7 +75,8 @@ typedef struct mus_dress_report {
 MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
 
 /**
- * Dress a body in a pattern: place, cut, sew and settle, from up to three placements, each tried up to twice.
+ * Dress a body in a pattern: place, cut, sew and settle, from up to three placements, each tried up to twice. The body
+ * stands on a floor, plane 0 of the drape: at the height 0, or at the lowest point of a skin that reaches below it.
  *
  * The pattern's own placement comes first when it has one, else the one of mus_arrange_pattern(). A start fails when
  * mus_drape_start() finds a fault in it, a seam stays open, cloth crosses cloth, the garment slides off, finds no rest

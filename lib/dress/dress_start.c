@@ -49,6 +49,19 @@ mus_status mus__dress_raise(const mus_body *body, mus_pose *pose, mus_body **out
 }
 
 
+/* the floor under the body: a plane at the height 0 of the body frame, or where a body reaches lower, under that */
+static mus_status start_floor(const mus__dress *call, mus_drape *drape)
+{
+    const double *x = mus_body_vertices(call->body);
+    mus_plane floor;
+    mus_plane_init(&floor, sizeof floor);
+    floor.normal[1] = 1.0, floor.normal[0] = floor.normal[2] = 0.0;
+    for (int32_t i = 0; i < mus_body_vertex_count(call->body); i++)
+        floor.point[1] = fmin(floor.point[1], x[3 * (int64_t)i + 1]);
+    return mus_drape_add_plane(drape, &floor, NULL);
+}
+
+
 /* cut the cloth and put it round the body, before the first step */
 static mus_status start_cut(mus__dress *call, bool patient, mus__dress_start *start)
 {
@@ -63,6 +76,7 @@ static mus_status start_cut(mus__dress *call, bool patient, mus__dress_start *st
     if (status != MUS_OK) return status;
     call->drape.sew_once = !patient;
     status = mus_drape_create(call->context, start->cloth, call->body, &call->drape, &start->drape);
+    if (status == MUS_OK && call->body != NULL) status = start_floor(call, start->drape);
     if (status == MUS_OK) status = mus_drape_place(start->drape);
     if (status != MUS_OK || start->raised == NULL) return status;
     mus_pose pose;

@@ -306,7 +306,8 @@ typedef struct mus_progress {
 typedef int32_t (*mus_progress_fn)(void *user, const mus_progress *progress);
 
 /**
- * Pull all seams shut and weld them. Gravity is off meanwhile.
+ * Pull all seams shut and weld them. Gravity is off meanwhile, the body holds its fingers together, and its feet are
+ * away; mus_drape_settle() lets them in.
  *
  * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser). With self_contact, panels that begin over each
  * other in one plane are moved apart first: the lower one goes down; of two side by side, each goes half of the way. A
@@ -327,12 +328,14 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * settle_residual, and no node's mean place moves faster than 2 mm/s. Or: for half a second no node has moved 0.1 mm or
  * been so far from its mean place, and the residual of the nodes that touch neither skin nor plane nor cloth is below
  * settle_residual. (The contact forces on a node wedged between surfaces cannot be recovered from its place.) Where
- * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out.
+ * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out. Nodes
+ * stay off the skin by the clearance and by what the triangles between them need to be off it too; the skin shows
+ * through no triangle by more than some tenths of a millimetre, unless it is held there.
  * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED (by `progress`), MUS_ERR_DIVERGED,
  *         MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY)
  * Memory: the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first
- *         settle 19 doubles and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles
- *         a node during the call
+ *         settle 25 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function
+ *         6 doubles a node during the call
  * Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3 x 3 bound of its
  *         stiffness
  */

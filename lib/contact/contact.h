@@ -28,12 +28,20 @@ typedef struct mus__contact_rule {
 } mus__contact_rule;
 
 /* nodes first .. last-1 of a state in planes of n numbers, of the type that the pass is of. inverse (n): 1/mass, 0 for
- * nodes that are held; before (3 x n): places before the step; x, v (3 x n): changed in place */
+ * nodes that are held; before (3 x n): places before the step; x, v (3 x n): changed in place; lift (n): how much
+ * farther than the clearance a node stays off the parts of a body [m], NULL: no farther */
 typedef struct mus__contact_nodes {
     int32_t n, first, last;
     const void *inverse, *before;
     void *x, *v;
+    const float *lift;
 } mus__contact_nodes;
+
+/* the lift of node i */
+static inline float mus__contact_lift(const mus__contact_nodes *nodes, int64_t i)
+{
+    return nodes->lift != NULL ? nodes->lift[i] : 0.0f;
+}
 
 /* distance cache of a node: surfaces that need no query until the node and the surfaces have travelled `slack` [m] */
 typedef struct mus__distance_cache {

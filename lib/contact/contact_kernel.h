@@ -198,12 +198,14 @@ static void MUS__NAME(pass_node)(const MUS__NAME(pass) * pass, const MUS__NAME(c
 {
     const mus__contact_nodes *nodes = pass->nodes;
     const int64_t n = nodes->n, k = chunk->start + i, at[3] = {k, n + k, 2 * n + k};
-    const MUS__REAL gap = pass->surfaces.margin - pass->clearance, *before = nodes->before, *inverse = nodes->inverse;
+    const MUS__REAL lift = (MUS__REAL)mus__contact_lift(nodes, k);
+    const MUS__REAL gap = pass->surfaces.margin - pass->clearance - lift;
+    const MUS__REAL *before = nodes->before, *inverse = nodes->inverse;
     MUS__REAL *x = nodes->x, *v = nodes->v, p[3], w[3], from[3], moved = 0;
     mus__distance_cache *cache = &pass->cache[k];
     const uint64_t boxes = chunk->boxes[i], parts = chunk->parts[i];
     const uint32_t planes = chunk->planes[i];
-    MUS__NAME(query) query = {parts, boxes & ~parts, planes, 0, batch, batch != NULL ? batch->head[i] : 0};
+    MUS__NAME(query) query = {parts, boxes & ~parts, planes, lift, 0, batch, batch != NULL ? batch->head[i] : 0};
     int32_t touched = 0;
     for (int32_t d = 0; d < 3; d++) p[d] = x[at[d]], w[d] = v[at[d]], from[d] = before[at[d]];
     if (batch == NULL) touched = MUS__NAME(sweep_all)(pass, &query.parts, &query.planes, from, p, w);

@@ -127,21 +127,21 @@ static inline void MUS__NAME(cache_note)(MUS__NAME(cache_found) * found, MUS__RE
 }
 
 
-/* all surfaces asked of a node at p */
+/* all surfaces asked of a node at p; to it the parts are thicker by its lift */
 static inline void MUS__NAME(cache_query)(const mus__collider *collider, const MUS__NAME(cache_rule) * rule,
-                                          const MUS__NAME(surfaces) * surfaces, const MUS__REAL *p,
+                                          const MUS__NAME(surfaces) * surfaces, MUS__REAL lift, const MUS__REAL *p,
                                           MUS__NAME(cache_found) * found, int64_t *queries)
 {
     const MUS__REAL margin = surfaces->margin, *box = surfaces->box;
     int32_t near;
     found->count = found->slippery = 0;
-    found->first = found->second = -margin;
+    found->first = found->second = lift - margin;
     for (int32_t d = 0; d < 3; d++) found->normal[d] = 0;
     for (int32_t l = 0; l < collider->nparts; l++, box += 6) {
         if (p[0] < box[0] || p[0] > box[3] || p[1] < box[1] || p[1] > box[4] || p[2] < box[2] || p[2] > box[5])
             continue;
         MUS__REAL normal[3];
-        const MUS__REAL depth = MUS__NAME(field_query)(&collider->MUS__PART_FIELDS[l], p, margin, normal, &near);
+        const MUS__REAL depth = MUS__NAME(field_query)(&collider->MUS__PART_FIELDS[l], p, margin, normal, &near) + lift;
         (*queries)++;
         if (near) MUS__NAME(cache_note)(found, depth + rule->clearance, rule->friction, depth, normal);
     }
@@ -157,13 +157,13 @@ static inline void MUS__NAME(cache_query)(const mus__collider *collider, const M
 
 /* one node asked and answered, in place; its new cache (8, a stride of n) */
 static void MUS__NAME(cache_renew)(const mus__collider *collider, const MUS__NAME(cache_rule) * rule,
-                                   const MUS__NAME(surfaces) * surfaces, int64_t n, MUS__REAL *cache, MUS__REAL *p,
-                                   MUS__REAL *w, int64_t *queries)
+                                   const MUS__NAME(surfaces) * surfaces, MUS__REAL lift, int64_t n, MUS__REAL *cache,
+                                   MUS__REAL *p, MUS__REAL *w, int64_t *queries)
 {
     const MUS__REAL radius = rule->radius;
     MUS__NAME(cache_found) found;
     for (int32_t d = 0; d < 3; d++) cache[(4 + d) * n] = p[d];
-    MUS__NAME(cache_query)(collider, rule, surfaces, p, &found, queries);
+    MUS__NAME(cache_query)(collider, rule, surfaces, lift, p, &found, queries);
     if (found.count == 1) {
         MUS__NAME(cache_rule) own = *rule;
         own.friction = found.list[0].friction;
@@ -206,7 +206,8 @@ void MUS__NAME(plane_cache_pass)(const mus__collider *collider, const mus__conta
             if (left[i - start] == 0) continue;
             MUS__REAL p[3], w[3];
             for (int64_t d = 0; d < 3; d++) p[d] = x[d * n + i], w[d] = v[d * n + i];
-            MUS__NAME(cache_renew)(collider, &own, &surfaces, n, cache + i, p, w, &tally->queries);
+            MUS__NAME(cache_renew)
+            (collider, &own, &surfaces, (MUS__REAL)mus__contact_lift(nodes, i), n, cache + i, p, w, &tally->queries);
             for (int64_t d = 0; d < 3; d++) x[d * n + i] = p[d], v[d * n + i] = w[d];
         }
     }

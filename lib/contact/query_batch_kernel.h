@@ -77,9 +77,9 @@ static void MUS__NAME(query_batch_caps)(const MUS__NAME(field) * field, int32_t 
 
 
 /* the results of `m` nodes, who (m), of part l: those that are near keep theirs, from others the part is taken out of
- * `parts`; nodes in a cap move to the front of who. Returns the number of these */
-static int32_t MUS__NAME(query_batch_keep)(int32_t l, int32_t m, uint8_t *who, uint64_t *parts,
-                                           MUS__NAME(query_batch) * batch, int64_t *queries)
+ * the chunk's; nodes in a cap move to the front of who. Returns the number of these */
+static int32_t MUS__NAME(query_batch_keep)(const mus__contact_nodes *nodes, MUS__NAME(chunk) * chunk, int32_t l,
+                                           int32_t m, uint8_t *who, MUS__NAME(query_batch) * batch, int64_t *queries)
 {
     int32_t left = 0;
     for (int32_t k = 0; k < m; k++) {
@@ -89,10 +89,10 @@ static int32_t MUS__NAME(query_batch_keep)(int32_t l, int32_t m, uint8_t *who, u
             continue;
         }
         (*queries)++;
-        if (batch->state[k] == 0) parts[i] &= ~((uint64_t)1 << l);
+        if (batch->state[k] == 0) chunk->parts[i] &= ~((uint64_t)1 << l);
         if (batch->state[k] == 0 || batch->many[i] == MUS__MANIFOLD_MAX) continue;
         MUS__NAME(query_result) *result = &batch->result[batch->results];
-        result->depth = batch->found[k];
+        result->depth = batch->found[k] + (MUS__REAL)mus__contact_lift(nodes, chunk->start + i);
         for (int32_t d = 0; d < 3; d++) result->normal[d] = batch->found[(d + 1) * MUS__CHUNK + k];
         result->part = l;
         result->next = batch->head[i];
@@ -137,10 +137,10 @@ static void MUS__NAME(query_batch_chunk)(const MUS__NAME(pass) * pass, MUS__NAME
         if (m < MUS__BATCH_MIN) continue;
         MUS__NAME(query_batch_gather)(n, m, who, x, batch);
         MUS__NAME(query_batch_between)(&pass->field[l], m, margin, batch->place, batch->found, batch->state);
-        const int32_t left = MUS__NAME(query_batch_keep)(l, m, who, chunk->parts, batch, queries);
+        const int32_t left = MUS__NAME(query_batch_keep)(pass->nodes, chunk, l, m, who, batch, queries);
         if (left == 0) continue;
         MUS__NAME(query_batch_gather)(n, left, who, x, batch);
         MUS__NAME(query_batch_caps)(&pass->field[l], left, margin, batch->place, batch->found, batch->state);
-        MUS__NAME(query_batch_keep)(l, left, who, chunk->parts, batch, queries);
+        MUS__NAME(query_batch_keep)(pass->nodes, chunk, l, left, who, batch, queries);
     }
 }

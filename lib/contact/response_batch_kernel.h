@@ -85,7 +85,8 @@ static int32_t MUS__NAME(classify_node)(const MUS__NAME(pass) * pass, const MUS_
                                         const MUS__NAME(query_batch) * batch, MUS__NAME(single_contacts) * list)
 {
     const MUS__REAL clearance = pass->clearance, band = clearance + (MUS__REAL)MUS__TOUCH_BAND;
-    const MUS__REAL margin = pass->surfaces.margin - clearance;
+    const MUS__REAL lift = (MUS__REAL)mus__contact_lift(pass->nodes, chunk->start + i);
+    const MUS__REAL margin = pass->surfaces.margin - clearance - lift;
     const uint64_t boxes = chunk->boxes[i];
     mus__distance_cache *cache = &pass->cache[chunk->start + i];
     MUS__NAME(gaps) *gaps = &list->gaps[list->count];

@@ -24,6 +24,7 @@ typedef struct MUS__NAME(query) {
     uint64_t parts;  /* parts, a bit each */
     uint64_t others; /* parts in whose boxes it is, but too far off to touch; they may stop it when it is pushed */
     uint32_t planes;
+    MUS__REAL lift;                       /* how much farther than the clearance it stays off the parts [m] */
     int32_t still;                        /* nonzero: as if all surfaces were at rest */
     const MUS__NAME(query_batch) * batch; /* results that are known, from `head` on; may be NULL */
     int32_t head;
@@ -172,9 +173,9 @@ static inline MUS__NAME(candidate) * MUS__NAME(candidate_add)(MUS__NAME(candidat
 
 
 /* part l, with its motion, asked of a node at p, or its known result (may be NULL): a candidate when it is near */
-static inline void MUS__NAME(query_part)(const MUS__NAME(pass) * pass, int32_t l, const MUS__NAME(motion) * motion,
-                                         const MUS__NAME(query_result) * result, const MUS__REAL *p,
-                                         MUS__NAME(gaps) * gaps, MUS__NAME(candidates) * list)
+static inline void MUS__NAME(query_part)(const MUS__NAME(pass) * pass, int32_t l, MUS__REAL lift,
+                                         const MUS__NAME(motion) * motion, const MUS__NAME(query_result) * result,
+                                         const MUS__REAL *p, MUS__NAME(gaps) * gaps, MUS__NAME(candidates) * list)
 {
     const MUS__REAL clearance = pass->clearance, margin = pass->surfaces.margin;
     int32_t near = 1;
@@ -182,10 +183,10 @@ static inline void MUS__NAME(query_part)(const MUS__NAME(pass) * pass, int32_t l
     if (result != NULL) {
         depth = result->depth;
     } else {
-        depth = MUS__NAME(field_query)(&pass->field[l], p, margin, normal, &near);
+        depth = MUS__NAME(field_query)(&pass->field[l], p, margin, normal, &near) + lift;
         pass->tally->queries++;
     }
-    MUS__NAME(gaps_note)(gaps, l, (near != 0 ? -depth : margin) - clearance);
+    MUS__NAME(gaps_note)(gaps, l, (near != 0 ? -depth : margin - lift) - clearance);
     MUS__NAME(candidate) *candidate = near != 0 ? MUS__NAME(candidate_add)(list, depth + clearance) : NULL;
     if (candidate == NULL) return;
     candidate->overlap = depth + clearance;
@@ -269,7 +270,7 @@ static inline int32_t MUS__NAME(respond_node)(const MUS__NAME(pass) * pass, cons
         const MUS__NAME(query_result) *result = head > 0 ? &query->batch->result[head] : NULL;
         if (result != NULL && result->part != l) result = NULL;
         if (result != NULL) head = result->next;
-        MUS__NAME(query_part)(pass, l, motion, result, p, gaps, &near);
+        MUS__NAME(query_part)(pass, l, query->lift, motion, result, p, gaps, &near);
     }
     MUS__NAME(query_planes)(pass, query, p, gaps, &near);
     for (int32_t i = 1; i < near.count; i++)
@@ -284,7 +285,7 @@ static inline int32_t MUS__NAME(respond_node)(const MUS__NAME(pass) * pass, cons
     for (uint64_t left = push > (MUS__REAL)MUS__PUSH_FAR ? query->others : 0; left != 0; left &= left - 1) {
         const int32_t l = mus__lowest_bit(left);
         const MUS__NAME(motion) *motion = query->still ? NULL : MUS__NAME(motion_of)(surfaces, l);
-        MUS__NAME(query_part)(pass, l, motion, NULL, p, &none, &near);
+        MUS__NAME(query_part)(pass, l, query->lift, motion, NULL, p, &none, &near);
     }
 
     MUS__NAME(contact) list[MUS__MANIFOLD_MAX];

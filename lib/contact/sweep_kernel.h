@@ -100,7 +100,7 @@ static int32_t MUS__NAME(respond_piece)(const MUS__NAME(swept) * swept, const MU
                                         MUS__REAL *w, MUS__REAL *way)
 {
     const MUS__REAL x[3] = {p[0], p[1], p[2]}, v[3] = {w[0], w[1], w[2]};
-    const MUS__NAME(query) query = {swept->parts & MUS__NAME(boxes_around)(swept->pass, p), 0, 0, 1, NULL, 0};
+    const MUS__NAME(query) query = {swept->parts & MUS__NAME(boxes_around)(swept->pass, p), 0, 0, 0, 1, NULL, 0};
     MUS__NAME(gaps) gaps = {0, 0, 0};
     MUS__NAME(respond_node)(swept->pass, &query, path, &gaps, p, w);
     if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) {

@@ -262,6 +262,8 @@ void mus_drape_destroy(mus_drape *drape)
                       drape->rep,
                       drape->pinned,
                       drape->plane_cache,
+                      drape->chord_lift.lift,
+                      drape->chord_lift.gap,
                       drape->scene.plane,
                       drape->scene.body,
                       drape->stepping.stiffness,

@@ -6,6 +6,15 @@
 
 #include "base/base_internal.h"
 
+/* how far nodes stay off the skin so that the triangles between them do (dress/chord_lift.c); NULL before it is used */
+typedef struct mus__chord_lift_data {
+    float *lift;    /* (n) beyond the clearance [m] */
+    double *gap;    /* (n) scratch: off the skin [m] */
+    double *lack;   /* (n) scratch: what the samples that the node bears lack to be clear [m] */
+    double *around; /* (n) scratch: what all samples round it lack */
+    double *normal; /* (n x 3) scratch: of the skin at the node */
+} mus__chord_lift_data;
+
 /* memory of sewing: one block, NULL before the first sew that needs it */
 typedef struct mus__sewing {
     double *start_x;    /* (n x 3) where the first try began */
@@ -24,10 +33,10 @@ typedef struct mus__component {
 } mus__component;
 
 typedef struct mus__relaxation {
-    double *mean; /* (n x 3) mean place of the last steps; head of a block of six arrays, NULL before the first use */
-    double *before;            /* (n x 3) mean place at the check before */
-    double *left;              /* (n x 3) force left at the check before [N] */
-    double *anchor;            /* (n x 3) mean place where the cloth began to lie still */
+    double *mean;   /* (n x 3) mean place of the last steps; head of a block of six arrays, NULL before the first use */
+    double *before; /* (n x 3) mean place at the check before */
+    double *left;   /* (n x 3) force left at the check before [N] */
+    double *anchor; /* (n x 3) mean place where the cloth began to lie still */
     double *inertia;           /* (n x 6) inertia tensors of the last steps: xx, yy, zz, xy, yz, zx [kg] */
     double *bending;           /* (n) scratch: stiffness that is equal in all directions [N/m] */
     void *tensor;              /* (7 n) inverse tensors and masses, in the sim's precision (sim.h) */

@@ -6,6 +6,7 @@
 
 #include "arrange/arrange_nodes.h"
 #include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "sim/bend_clamp.h"
 #include "drape/weld.h"
 
@@ -19,6 +20,7 @@ static void positions_begin(mus_drape *drape, int32_t far)
     drape->relax.settled = 0;
     drape->relax.far = far;
     drape->coarse.as_sewn = 0;
+    mus__drape_lift_clear(drape);
     mus__scene_reset(drape);
 }
 
@@ -106,6 +108,7 @@ mus_status mus_drape_set_state(mus_drape *drape, const double *positions, const 
         if (drape->pinned[i]) memset(drape->v + 3 * i, 0, 3 * sizeof *drape->v);
     mus__drape_push(drape);
     mus__drape_publish(drape);
+    mus__drape_lift_clear(drape);
     drape->relax.far = 1;
     drape->coarse.as_sewn = 0;
     return MUS_OK;

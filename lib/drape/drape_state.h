@@ -56,6 +56,8 @@ struct mus_drape {
     const struct mus__drape_kit *kit;     /* what the drape was made with; its coarse drape is made with the same */
     void *plane_cache; /* (8 n) contact planes of nodes in the sim's precision; NULL before the first use */
 
+    mus__chord_lift_data chord_lift;
+
     mus__scene scene;
     mus__clock clock;
     mus__counters counters;

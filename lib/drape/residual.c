@@ -57,10 +57,10 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
  * on an edge or in a crease of the skin (between two rings of a shoulder) is carried by both sides and touches one. So
  * where much force is left, the surfaces a little way along the force and against it are included.
  */
-static int32_t carry_by_skin(const mus_drape *drape, const double *x, double weight, double *r)
+static int32_t carry_by_skin(const mus_drape *drape, const double *x, double lift, double weight, double *r)
 {
     double normal[3 * SIDES_MAX], friction[SIDES_MAX], all[3];
-    const double reach = drape->def.clearance + TOUCH_SLACK;
+    const double reach = drape->def.clearance + lift + TOUCH_SLACK;
     const int32_t count = mus__collider_touching(drape->scene.collider, x, reach, normal, friction);
     if (count == 0) return 0;
     memcpy(all, r, sizeof all);
@@ -80,6 +80,22 @@ static int32_t carry_by_skin(const mus_drape *drape, const double *x, double wei
 }
 
 
+double mus__drape_lift(const mus_drape *drape, int32_t i)
+{
+    return drape->chord_lift.lift != NULL ? (double)drape->chord_lift.lift[drape->rep[i]] : 0.0;
+}
+
+
+void mus__drape_lift_clear(mus_drape *drape)
+{
+    mus__free(drape->context, drape->chord_lift.lift);
+    mus__free(drape->context, drape->chord_lift.gap);
+    drape->chord_lift = (mus__chord_lift_data){NULL, NULL, NULL, NULL, NULL};
+    drape->sim.lift = NULL;
+    if (drape->coarse.drape != NULL) mus__drape_lift_clear(drape->coarse.drape);
+}
+
+
 double mus__residual(const mus_drape *drape, const double *x, double *unheld)
 {
     const double *gravity = drape->def.gravity, g = length3(gravity);
@@ -92,7 +108,8 @@ double mus__residual(const mus_drape *drape, const double *x, double *unheld)
         const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
         int32_t touches = mus__drape_self_force(drape, i, r);
-        if (drape->scene.collider != NULL) touches |= carry_by_skin(drape, x + 3 * (int64_t)i, weight, r);
+        if (drape->scene.collider != NULL)
+            touches |= carry_by_skin(drape, x + 3 * (int64_t)i, mus__drape_lift(drape, i), weight, r);
         const double left2 = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
         sum += left2;
         count++;

@@ -14,4 +14,9 @@ double mus__residual(const mus_drape *drape, const double *x, double *unheld);
 double mus__residual_rounding(const mus_drape *drape);
 int32_t mus__float_too_coarse(mus_drape *drape);
 
+/* how much farther than the clearance node i stays off the skin (dress/chord_lift.c) [m] */
+double mus__drape_lift(const mus_drape *drape, int32_t i);
+/* forgets the lifts, those of coarser cuts too, and gives their memory back */
+void mus__drape_lift_clear(mus_drape *drape);
+
 #endif

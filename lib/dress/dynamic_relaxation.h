@@ -48,6 +48,10 @@ mus_status mus__untangle(mus_drape *drape);
 /* put pairs of cloth apart that are closer than a twentieth of the thickness, where nothing crosses by it */
 mus_status mus__untangle_part(mus_drape *drape);
 
+/* let hands and feet into the sewn clothes: nodes that lie in a foot are lifted over it, and cloth that a finger goes
+ * through is drawn off over its tip (draw_off.c). relax.mean is scratch. Returns how many were moved */
+int32_t mus__draw_off(mus_drape *drape);
+
 /* note where the components hang at x (n x 3): before a settle. Errors: MUS_ERR_MEMORY */
 mus_status mus__slid_off_start(mus_drape *drape, const double *x);
 /* nonzero, with the reason written, when a component at x has left its place; `loose`: and when no node is near the

@@ -24,6 +24,10 @@
  * left and the cloth still drifts, the step is doubled again. A cloth that is caught on a hook (much force left, none
  * lost, no drift, the smallest step) is given up early.
  *
+ * Nodes alone meet the skin. Where it bulges between them they are lifted until their triangles are off it too
+ * (chord_lift.c), and before the first step cloth that a hand or a foot goes through is drawn off over its end
+ * (draw_off.c).
+ *
  * Two sheets of full thickness and the skin on both sides may have no room, as between the legs: cloth then presses a
  * node deep into the body. The thickness of such nodes yields near rest. It does not yield while seams close, because
  * cloth that is drawn through a narrow place needs all of it.
@@ -34,6 +38,7 @@
 #include "drape/coarse_drape.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
+#include "dress/chord_lift.h"
 #include "dress/diagnosis.h"
 #include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
@@ -220,6 +225,17 @@ static void choose_safety(const mus_drape *drape, const settling *goal, double t
 }
 
 
+/* lifts nodes off the skin for the sake of the triangles between them. On a coarse cut it is done over hands and feet
+ * alone, which would come through it: elsewhere the finer cut lies nearer to the skin. Nonzero when one rose by more
+ * than what a triangle is to be off the skin: the cloth is not at rest then */
+static bool lift_nodes(mus_drape *drape, const settling *goal)
+{
+    if (drape->sim.lift == NULL) return false;
+    const double rise = mus__chord_lift(drape, drape->relax.mean, goal->residual >= ROUGH_RESIDUAL);
+    return rise > MUS__LIFT_CLEAR;
+}
+
+
 /* a check after steps that took `seconds`, `t` in all: how the cloth lies, whether it is at rest, steps and drag from
  * now on */
 static void check_rest(mus_drape *drape, const settling *goal, double t, double seconds, lying *now)
@@ -251,6 +267,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
     if (gives) relax->settled = 0;
+    if (lift_nodes(drape, goal)) relax->settled = 0;
     choose_safety(drape, goal, t, residual < STALE_SHARE * now->best || residual <= goal->residual, gives, now);
 }
 
@@ -313,14 +330,29 @@ static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settl
 }
 
 
+/* lets hands and feet in, and draws cloth apart that crosses other cloth by that */
+static mus_status let_in(mus_drape *drape)
+{
+    mus__drape_publish(drape);
+    if (mus__draw_off(drape) == 0) return MUS_OK;
+    const mus_status status = mus__untangle(drape);
+    return status == MUS_OK ? mus__drape_plane_cache(drape) : status;
+}
+
+
 /* on this cut, from where it is. MUS_OK: at rest, or the caller stopped the run */
 static mus_status settle_here(mus_drape *drape, mus__progress *run, const settling *goal)
 {
     const bool first = drape->relax.mean == NULL;
     mus_status status = mus__relax_create(drape);
     if (status == MUS_OK) status = mus__drape_plane_cache(drape);
+    if (status == MUS_OK) status = mus__chord_lift_create(drape);
     if (status == MUS_OK) status = mus__slid_off_start(drape, drape->x);
-    if (status != MUS_OK && first) mus__relax_clear(drape);
+    if (status == MUS_OK) status = let_in(drape);
+    if (status != MUS_OK && first) {
+        mus__relax_clear(drape);
+        mus__drape_lift_clear(drape);
+    }
     if (status != MUS_OK) return status;
     lying now = lie_down(drape, goal->fall);
     for (double t = 0.0; t < goal->seconds && now.stuck < STUCK_CHECKS;) {
@@ -395,7 +427,8 @@ mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *us
     if (drape->relax.far) {
         status = settle_cuts(drape, &run, &goal);
     } else {
-        status = settle_here(drape, &run, &goal);
+        if (drape->sim.lift == NULL) status = mus__chord_lift_begin(drape);
+        if (status == MUS_OK) status = settle_here(drape, &run, &goal);
         mus__drape_publish(drape);
     }
     if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->relax.far = 0;

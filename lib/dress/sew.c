@@ -20,6 +20,7 @@
 
 #include "arrange/arrange_check.h"
 #include "base/elementary.h"
+#include "contact/hands_feet.h"
 #include "drape/coarse_drape.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
@@ -206,6 +207,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
     mus_status status = mus__drape_plane_cache(drape);
     if (status != MUS_OK) return status;
     share_attachments(drape, true);
+    if (drape->scene.collider != NULL) mus__collider_spread(drape->scene.collider, false);
     if (way != SEW_STRAIGHT) mus__seam_route_start(drape);
     int32_t open = pairs, check = 0;
     while (open > 0 && t < all && !run->stop && status == MUS_OK) {
@@ -218,6 +220,7 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
     }
     *time = t;
     drape->sim.plane_cache = NULL;
+    if (drape->scene.collider != NULL) mus__collider_spread(drape->scene.collider, true);
     share_attachments(drape, false);
     if (drape->self != NULL) memset(drape->self->pass, 0, (size_t)drape->n);
     if (drape->self != NULL) drape->self->invalid = 1;

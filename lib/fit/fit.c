@@ -85,7 +85,7 @@ static void fit_pressures(mus_fit *fit, const mus_drape *drape, double *force)
         double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
         fit->gap[i] = -mus__collider_depth(drape->scene.collider, x, FIT_FAR, NULL);
         if (fit->gap[i] > 1e29) fit->gap[i] = (double)NAN;
-        const double reach = drape->def.clearance + FIT_SLACK;
+        const double reach = drape->def.clearance + mus__drape_lift(drape, r) + FIT_SLACK;
         if (mus__collider_touching(drape->scene.collider, x, reach, normal, friction) == 0) continue;
         const double push = -mus__dot3(f, normal), drawn = (1.0 + fit->warp[i]) * (1.0 + fit->weft[i]);
         if (push > 0.0 && drape->mass[r] > 0.0 && drawn > 0.0)

@@ -5,6 +5,7 @@
 #define MUS_DRAPE_FIT_INTERNAL_H
 
 #include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "muslin/fit.h"
 
 #define MUS__FIT_LEVELS 10

@@ -38,6 +38,7 @@ struct mus__sim {
     void *weight;    /* (n) mass/inertia, the factor on gravity; 0 for fixed nodes */
     void *last_good; /* (6 n) the last state that was found good */
     mus__distance_cache *distance_cache;  /* (n) contact need not query a node for a while */
+    const float *lift; /* (n) how much farther than the clearance a node stays off a body [m]; NULL: no farther */
     mus__contact_fn contact_pass;         /* set with `collider` */
     mus__plane_cache_fn plane_cache_pass; /* set with `collider` */
     mus__self_fn self_pass, self_prepare; /* set with the self-contact of the owner */

@@ -249,7 +249,7 @@ static void MUS__NAME(phase_part)(void *user, int32_t part, int32_t parts)
         for (int64_t d = 0; d < 3; d++)
             memcpy((MUS__REAL *)sim->self->before_body + d * sim->n + start, v + d * sim->n + start,
                    (size_t)(end - start) * sizeof *v);
-    const mus__contact_nodes nodes = {sim->n, start, end, sim->inverse, sim->x_before, x, v};
+    const mus__contact_nodes nodes = {sim->n, start, end, sim->inverse, sim->x_before, x, v, sim->lift};
     if (sim->plane_cache != NULL && !sim->sweeps)
         sim->plane_cache_pass(sim->collider, &sim->rule, &nodes, sim->plane_cache, &sim->part_tally[part]);
     else

@@ -244,8 +244,9 @@ START_TEST(an_arm_that_swings_passes_through_nothing)
         const double *x = mus_drape_positions(p.drape) + 3 * i;
         ck_assert_double_le(depth[i], 1e-6);
         lifted += x[1] > place[3 * i + 1] + 0.01;
-        /* over the arm, where it does not slide off sideways */
-        if (i % 3 == 1) ck_assert_double_ge(x[1] - shoulder[1], tan(0.6) * (x[2] - shoulder[2]) - 0.08);
+        /* over the arm, where it does not slide off sideways; a thumb turns those over the hand aside */
+        if (i % 3 == 1 && place[3 * i + 2] < shoulder[2] + 0.45)
+            ck_assert_double_ge(x[1] - shoulder[1], tan(0.6) * (x[2] - shoulder[2]) - 0.08);
     }
     ck_assert_int_ge(lifted, N / 2);
     mus_body_destroy(posed);

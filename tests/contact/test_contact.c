@@ -95,7 +95,7 @@ static void touch(double r, double clearance, double friction, double push, doub
     mus__distance_cache rest[1] = {{0, 0}};
     x[0] = r - collider->origin[0], x[1] = -collider->origin[1], x[2] = -collider->origin[2];
     const double before[3] = {x[0], x[1], x[2]};
-    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, mobile, before, x, v}, 0, rest, &tally);
+    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, mobile, before, x, v, NULL}, 0, rest, &tally);
     ck_assert_int_eq((int)tally.queries, 1);
     x[0] += collider->origin[0];
     mus__collider_destroy(collider);
@@ -168,10 +168,11 @@ START_TEST(float_and_double_respond_alike)
     double before[300];
     float beforef[300];
     memcpy(before, x, sizeof before), memcpy(beforef, xf, sizeof beforef);
-    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){100, 0, 100, mobile, before, x, v}, 0, rest, &tally);
+    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){100, 0, 100, mobile, before, x, v, NULL}, 0, rest,
+                          &tally);
     memset(rest, 0, sizeof rest);
-    mus__contact_pass_f32(collider, &rule,
-                         &(mus__contact_nodes){100, 0, 100, mobilef, beforef, xf, vf}, 0, rest, &tallyf);
+    mus__contact_pass_f32(collider, &rule, &(mus__contact_nodes){100, 0, 100, mobilef, beforef, xf, vf, NULL}, 0, rest,
+                          &tallyf);
     ck_assert_int_eq((int)tally.queries, (int)tallyf.queries);
     for (int i = 0; i < 300; i++) {
         ck_assert_double_eq_tol(x[i], (double)xf[i], 2e-5);
@@ -204,16 +205,18 @@ START_TEST(a_node_among_many_gets_what_it_gets_alone)
     }
     memcpy(one_x, x, sizeof x), memcpy(one_v, v, sizeof v);
     memcpy(onef_x, xf, sizeof xf), memcpy(onef_v, vf, sizeof vf);
-    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, 0, N, mobile, before, x, v}, 0, rest, &many);
+    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, 0, N, mobile, before, x, v, NULL}, 0, rest, &many);
     memset(rest, 0, sizeof rest);
-    mus__contact_pass_f32(collider, &rule, &(mus__contact_nodes){N, 0, N, mobilef, beforef, xf, vf}, 0, rest, &many);
+    mus__contact_pass_f32(collider, &rule, &(mus__contact_nodes){N, 0, N, mobilef, beforef, xf, vf, NULL}, 0, rest,
+                          &many);
     memset(rest, 0, sizeof rest);
     for (int i = 0; i < N; i++) {
-        mus__contact_pass_f64(collider, &rule,
-                             &(mus__contact_nodes){N, i, i + 1, mobile, before, one_x, one_v}, 0, rest, &alone);
+        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, i, i + 1, mobile, before, one_x, one_v, NULL},
+                              0, rest, &alone);
         memset(rest, 0, sizeof rest);
         mus__contact_pass_f32(collider, &rule,
-                             &(mus__contact_nodes){N, i, i + 1, mobilef, beforef, onef_x, onef_v}, 0, rest, &alone);
+                              &(mus__contact_nodes){N, i, i + 1, mobilef, beforef, onef_x, onef_v, NULL}, 0, rest,
+                              &alone);
     }
     ck_assert_int_eq((int)many.queries, (int)alone.queries);
     ck_assert_int_ge((int)many.queries, 200);
@@ -237,7 +240,7 @@ START_TEST(out_of_reach_costs_no_query_and_changes_nothing)
     mus__contact_tally tally = {0};
     double x[3] = {10.0, 0.0, 0.0}, v[3] = {-100.0, 0.0, 0.0};
     const double before[3] = {10.0, 0.0, 0.0};
-    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, mobile, before, x, v}, 0, rest, &tally);
+    mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, mobile, before, x, v, NULL}, 0, rest, &tally);
     ck_assert_int_eq((int)tally.queries, 0);
     ck_assert_double_eq(x[0], 10.0);
     ck_assert_double_eq(v[0], -100.0);
@@ -267,8 +270,8 @@ START_TEST(sitting_out_lets_nothing_through)
         for (int i = 0; i < 500; i++, calls++) {
             const double before[3] = {x[0], x[1], x[2]};
             for (int c = 0; c < 3; c++) x[c] += step * v[c];
-            mus__contact_pass_f64(collider, &rule,
-                                 &(mus__contact_nodes){1, 0, 1, mobile, before, x, v}, 0, rest, &tally);
+            mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, mobile, before, x, v, NULL}, 0, rest,
+                                  &tally);
             const double p[3] = {x[0] + collider->origin[0], x[1] + collider->origin[1], x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 1.5 * step);
         }
@@ -318,9 +321,10 @@ START_TEST(what_is_put_aside_would_not_have_touched)
         }
         memcpy(all_x, x, sizeof x), memcpy(all_v, v, sizeof v);
         memset(none, 0, sizeof none);
-        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, 0, N, mobile, before, x, v}, 0, aside, &kept);
-        mus__contact_pass_f64(collider, &rule,
-                             &(mus__contact_nodes){N, 0, N, mobile, before, all_x, all_v}, 0, none, &asked);
+        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, 0, N, mobile, before, x, v, NULL}, 0, aside,
+                              &kept);
+        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){N, 0, N, mobile, before, all_x, all_v, NULL}, 0,
+                              none, &asked);
         ck_assert_mem_eq(x, all_x, sizeof x);
         ck_assert_mem_eq(v, all_v, sizeof v);
     }

@@ -43,7 +43,11 @@ START_TEST(planes_do_what_asking_every_time_does)
     mus__collider *collider = two_legs(context);
     const double h = 2e-4;
     const double friction = _i == 1 ? 0.0 : _i == 2 ? INFINITY : 0.6;
-    const mus__contact_rule rule = {.clearance = 0.002, .friction = friction, .push = 1e-3, .slip = h, .step = h,
+    const mus__contact_rule rule = {.clearance = 0.002,
+                                    .friction = friction,
+                                    .push = 1e-3,
+                                    .slip = h,
+                                    .step = h,
                                     .cache_radius = MUS__CACHE_RADIUS};
     static double x[3 * NODES], v[3 * NODES], p[3 * NODES], before[3 * NODES], w[3 * NODES];
     static double near[8 * NODES], inverse[NODES];
@@ -69,10 +73,10 @@ START_TEST(planes_do_what_asking_every_time_does)
         }
         memcpy(p, x, sizeof p), memcpy(w, v, sizeof w);
         memset(rest, 0, sizeof rest);
-        mus__contact_pass_f64(collider, &rule,
-            &(mus__contact_nodes){NODES, 0, NODES, inverse, before, p, w}, 0, rest, &asked);
-        mus__plane_cache_pass_f64(collider, &rule,
-            &(mus__contact_nodes){NODES, 0, NODES, inverse, NULL, x, v}, near, &kept);
+        mus__contact_pass_f64(collider, &rule, &(mus__contact_nodes){NODES, 0, NODES, inverse, before, p, w, NULL}, 0,
+                              rest, &asked);
+        mus__plane_cache_pass_f64(collider, &rule, &(mus__contact_nodes){NODES, 0, NODES, inverse, NULL, x, v, NULL},
+                                  near, &kept);
         for (int i = 0; i < 3 * NODES; i++) {
             ck_assert_double_eq_tol(x[i], p[i], 3e-6);
             ck_assert_double_eq_tol(v[i], w[i], 0.05);
@@ -94,15 +98,16 @@ START_TEST(what_is_deep_comes_out_faster)
     mus_context *context = support_context();
     mus__collider *collider = two_legs(context);
     const double h = 2e-4, push = 2e-5, clearance = 0.002, deep = _i ? 100.0 : 0.0;
-    const mus__contact_rule rule = {.clearance = clearance, .push = push, .deep = deep, .slip = h, .step = h,
-                                    .cache_radius = MUS__CACHE_RADIUS};
+    const mus__contact_rule rule = {
+        .clearance = clearance, .push = push, .deep = deep, .slip = h, .step = h, .cache_radius = MUS__CACHE_RADIUS};
     mus__contact_tally tally = {0};
     for (int call = 0; call < 12; call++) {
         double x[3] = {0.063 - 0.001 * call, 0.01, 0.0}, v[3] = {0.0}, near[8] = {0}, inverse = 1000.0, after[3];
         near[7] = -1.0;
         const double depth = mus__collider_depth(collider, x, 0.0, NULL), lift = depth + clearance;
         for (int d = 0; d < 3; d++) x[d] -= collider->origin[d];
-        mus__plane_cache_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, &inverse, NULL, x, v}, near, &tally);
+        mus__plane_cache_pass_f64(collider, &rule, &(mus__contact_nodes){1, 0, 1, &inverse, NULL, x, v, NULL}, near,
+                                  &tally);
         for (int d = 0; d < 3; d++) after[d] = x[d] + collider->origin[d];
         const double most = push + deep * h * fmax(lift - MUS__CACHE_DEEP, 0.0), out = fmin(fmax(lift, 0.0), most);
         ck_assert_double_eq_tol(depth - mus__collider_depth(collider, after, 0.0, NULL), out, 1e-9 + 1e-3 * out);
@@ -119,8 +124,8 @@ START_TEST(nothing_falls_through_a_ball)
     mus_context *context = support_context();
     mus__collider *collider = two_legs(context);
     const double h = 1e-4;
-    const mus__contact_rule rule = {.clearance = 0.002, .friction = 0.6, .push = 1e-3, .slip = h, .step = h,
-                                    .cache_radius = MUS__CACHE_RADIUS};
+    const mus__contact_rule rule = {
+        .clearance = 0.002, .friction = 0.6, .push = 1e-3, .slip = h, .step = h, .cache_radius = MUS__CACHE_RADIUS};
     float x[3], v[3], near[8], inverse[1] = {1000.0f};
     mus__contact_tally tally = {0};
     uint64_t random = 5;
@@ -132,8 +137,8 @@ START_TEST(nothing_falls_through_a_ball)
         near[7] = -1.0f;
         for (int i = 0; i < 1200; i++) {
             for (int d = 0; d < 3; d++) x[d] += (float)h * v[d];
-            mus__plane_cache_pass_f32(collider, &rule,
-                &(mus__contact_nodes){1, 0, 1, inverse, NULL, x, v}, near, &tally);
+            mus__plane_cache_pass_f32(collider, &rule, &(mus__contact_nodes){1, 0, 1, inverse, NULL, x, v, NULL}, near,
+                                      &tally);
             const double p[3] = {(double)x[0] + collider->origin[0], (double)x[1] + collider->origin[1],
                                  (double)x[2] + collider->origin[2]};
             ck_assert_double_le(mus__collider_depth(collider, p, 0.05, NULL), -0.002 + 3.2 * h);

@@ -1,0 +1,198 @@
+/*
+ * test_hands_feet.c: what the body is drawn with is what cloth meets: fingers and toes lie in the touched surface,
+ * cloth comes off a finger that goes through it, a foot comes into a trouser leg from above, and the triangles of a
+ * garment at rest are off the skin as its nodes are.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "contact/hands_feet.h"
+#include "drape/drape_state.h"
+#include "drape/worn.h"
+#include "dress/dynamic_relaxation.h"
+
+Suite *mus_suite_hands_feet(void);
+
+enum { SIDE = 5, NODES = SIDE * SIDE, ENDS = 12 };
+
+#define CELL 0.02       /* [m] of the sheets */
+#define CLEARANCE 0.002 /* [m] the default */
+
+
+/* a sheet of SIDE x SIDE nodes round `middle` along a and b (3 each), round the body of W40 */
+static worn sheet_at(const double *middle, const double *a, const double *b)
+{
+    const double cell[2] = {CELL, CELL};
+    double x[3 * NODES];
+    worn w = worn_body("W40");
+    mus_drape_def def;
+    mus_drape_def_init(&def, sizeof def);
+    ck_assert_int_eq(mus_cloth_create_grid(w.context, SIDE, SIDE, cell, NULL, &w.cloth), MUS_OK);
+    ck_assert_int_eq(mus_drape_create(w.context, w.cloth, w.body, &def, &w.drape), MUS_OK);
+    for (int32_t i = 0; i < NODES; i++)
+        for (int32_t d = 0; d < 3; d++)
+            x[3 * i + d] = middle[d] + CELL * ((i % SIDE - SIDE / 2) * a[d] + (i / SIDE - SIDE / 2) * b[d]);
+    ck_assert_int_eq(mus_drape_set_state(w.drape, x, NULL), MUS_OK);
+    ck_assert_int_eq(mus__relax_create(w.drape), MUS_OK);
+    return w;
+}
+
+
+/* the free ends of the body of W40 */
+static void ends_of(double *end)
+{
+    const double origin[3] = {0.0, 0.0, 0.0};
+    worn w = worn_body("W40");
+    mus__collider *collider;
+    ck_assert_int_eq(mus__collider_create(w.context, w.body, origin, CLEARANCE, &collider), MUS_OK);
+    ck_assert_int_eq(mus__collider_ends(collider, ENDS + 1, end), ENDS);
+    mus__collider_destroy(collider);
+    worn_end(&w);
+}
+
+
+static const char *const sizes[] = {"W34", "W40", "W52", "M50", "M58", "C56", "C116"};
+
+
+/* no vertex of a finger or toe is as far beyond it as cloth keeps off */
+START_TEST(digits_lie_in_what_cloth_touches)
+{
+    const double origin[3] = {0.0, 0.0, 0.0};
+    worn w = worn_body(sizes[_i]);
+    mus__collider *collider;
+    ck_assert_int_eq(mus__collider_create(w.context, w.body, origin, CLEARANCE, &collider), MUS_OK);
+    const double *x = mus_body_vertices(w.body);
+    for (int32_t i = 0; i < mus_body_vertex_count(w.body); i++)
+        ck_assert_double_ge(mus__collider_body_depth(collider, x + 3 * i, 0.1, NULL), -CLEARANCE);
+
+    /* while a garment is put on feet are away and hands slim; then they are as they were, to the last bit */
+    double before = 0.0, slim = 0.0, after = 0.0, end[6 * ENDS];
+    mus__collider_ends(collider, ENDS, end);
+    const uint64_t feet = mus__collider_feet(collider);
+    ck_assert(feet != 0);
+    for (int32_t k = 0; k < ENDS; k++) before += mus__collider_body_depth(collider, end + 6 * k + 3, 0.1, NULL);
+    mus__collider_spread(collider, false);
+    for (int32_t k = 0; k < ENDS; k++) slim += mus__collider_body_depth(collider, end + 6 * k + 3, 0.1, NULL);
+    const double low[3] = {-1.0, 0.0, -1.0}, high[3] = {1.0, 0.01, 1.0};
+    ck_assert_uint_eq(mus__collider_parts_near(collider, low, high, 0.0) & feet, 0);
+    mus__collider_spread(collider, true);
+    for (int32_t k = 0; k < ENDS; k++) after += mus__collider_body_depth(collider, end + 6 * k + 3, 0.1, NULL);
+    ck_assert_uint_eq(mus__collider_parts_near(collider, low, high, 0.0) & feet, feet);
+    ck_assert_double_lt(slim, before);
+    ck_assert_double_eq(after, before);
+    mus__collider_destroy(collider);
+    worn_end(&w);
+}
+END_TEST
+
+
+/* a sheet across the middle of each finger, and of each hand */
+START_TEST(cloth_comes_off_a_finger)
+{
+    double ends[6 * ENDS], way[3], a[3], b[3], middle[3];
+    ends_of(ends);
+    const double *end = ends + 6 * _i;
+    for (int32_t d = 0; d < 3; d++) way[d] = end[3 + d] - end[d], middle[d] = 0.5 * (end[d] + end[3 + d]);
+    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+    const double flat = hypot(way[0], way[2]);
+    a[0] = -way[2] / flat, a[1] = 0.0, a[2] = way[0] / flat;
+    for (int32_t d = 0; d < 3; d++)
+        b[d] = (way[(d + 1) % 3] * a[(d + 2) % 3] - way[(d + 2) % 3] * a[(d + 1) % 3]) / length;
+    worn w = sheet_at(middle, a, b);
+    ck_assert_int_gt(mus__draw_off(w.drape), 0);
+
+    /* nodes beside the axis are beyond the tip, those further off are where they were */
+    const double *x = mus_drape_positions(w.drape);
+    for (int32_t i = 0; i < NODES; i++) {
+        double along = 0.0;
+        for (int32_t d = 0; d < 3; d++) along += (x[3 * i + d] - end[d]) * way[d] / length;
+        if (i == NODES / 2) ck_assert_double_ge(along, length);
+        if (i == 0) ck_assert_double_eq_tol(along, 0.5 * length, 1e-6);
+    }
+    ck_assert_int_eq(mus__draw_off(w.drape), 0);
+    worn_end(&w);
+}
+END_TEST
+
+
+/* an upright sheet that goes down through the left foot is over it then, its rows in their order */
+START_TEST(a_foot_comes_in_from_above)
+{
+    static const double middle[3] = {0.09, 0.04, 0.06}, across[3] = {1.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0};
+    worn w = sheet_at(middle, across, up);
+    int32_t lifted = 0;
+    double before[3 * NODES];
+    memcpy(before, mus_drape_positions(w.drape), sizeof before);
+    const int32_t found = mus__draw_off(w.drape);
+    ck_assert_int_gt(found, SIDE);
+    const double *x = mus_drape_positions(w.drape);
+    for (int32_t i = 0; i < NODES; i++) {
+        const double depth = mus__collider_body_depth(w.drape->scene.collider, x + 3 * i, 0.1, NULL);
+        ck_assert_double_le(depth, -CLEARANCE + 1e-4);
+        ck_assert_double_eq(x[3 * i], before[3 * i]);
+        ck_assert_double_ge(x[3 * i + 1], before[3 * i + 1]);
+        if (i >= SIDE) ck_assert_double_gt(x[3 * i + 1], x[3 * (i - SIDE) + 1]);
+        lifted += x[3 * i + 1] > before[3 * i + 1];
+    }
+    ck_assert_int_eq(lifted, found);
+    worn_end(&w);
+}
+END_TEST
+
+
+typedef struct clear_row {
+    const char *design, *size;
+} clear_row;
+
+static const clear_row clear_rows[] = {
+    {"leggings", "W40"}, {"tshirt", "M50"}, {"palazzo", "W40"}, {"jeans_flare", "C116"}, {"hoodie", "W52"}};
+
+
+/* garments at rest: 66 places of each triangle are less than a millimetre in the skin, and no node is under the floor
+ */
+START_TEST(triangles_are_off_the_skin)
+{
+    enum { PARTS = 10 };
+    const clear_row *row = &clear_rows[_i];
+    worn w = worn_body(row->size);
+    worn_put_on_design(&w, row->design, NULL);
+    mus_dress_def def;
+    mus_dress_def_init(&def, sizeof def);
+    def.spacing = 0.03;
+    ck_assert_msg(mus_dress(w.context, w.pattern, w.body, &def, NULL, NULL, &w.cloth, &w.drape) == MUS_OK, "%s",
+                  mus_context_error(w.context));
+    const double *x = mus_drape_positions(w.drape);
+    const int32_t *corner = mus_cloth_triangles(w.cloth);
+    double deepest = -1.0;
+    for (int32_t k = 0; k < mus_cloth_triangle_count(w.cloth); k++) {
+        double place[3 * 66];
+        int32_t n = 0;
+        for (int32_t i = 0; i <= PARTS; i++)
+            for (int32_t j = 0; i + j <= PARTS; j++, n++)
+                for (int32_t d = 0; d < 3; d++)
+                    place[3 * n + d] = (i * x[3 * corner[3 * k] + d] + j * x[3 * corner[3 * k + 1] + d] +
+                                        (PARTS - i - j) * x[3 * corner[3 * k + 2] + d]) /
+                                       PARTS;
+        double depth[66];
+        ck_assert_int_eq(mus_body_depth(w.body, n, place, depth, NULL), MUS_OK);
+        for (int32_t i = 0; i < n; i++) deepest = fmax(deepest, depth[i]);
+    }
+    ck_assert_double_le(deepest, 1e-3);
+    for (int32_t i = 0; i < mus_drape_node_count(w.drape); i++) ck_assert_double_gt(x[3 * i + 1], 0.0);
+    worn_end(&w);
+}
+END_TEST
+
+
+Suite *mus_suite_hands_feet(void)
+{
+    Suite *suite = suite_create("hands_feet");
+    TCase *tests = tcase_create("hands_feet");
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, digits_lie_in_what_cloth_touches, 0, sizeof sizes / sizeof sizes[0]);
+    tcase_add_loop_test(tests, cloth_comes_off_a_finger, 0, ENDS);
+    tcase_add_test(tests, a_foot_comes_in_from_above);
+    tcase_add_loop_test(tests, triangles_are_off_the_skin, 0, sizeof clear_rows / sizeof clear_rows[0]);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

@@ -69,7 +69,7 @@ static const struct {
      D(OVER_HEAD) | D(ARM_BESIDE) | D(INSIDE_OUT) | D(OFF_SHOULDER) | D(ROLLED) | D(THROUGH) | D(BESIDE)},
     {"hoodie", NULL, "W40", D(OVER_HEAD) | D(ARM_BESIDE) | D(HOOD_ASIDE) | D(ROLLED) | D(BESIDE)},
     {"tank", NULL, "M50", D(OVER_HEAD) | D(INSIDE_OUT) | D(OFF_SHOULDER) | D(ROLLED) | D(THROUGH) | D(ARM_IN)},
-    {"straight_trousers", NULL, "W40", D(LEG_IN_BOTH) | D(INSIDE_OUT) | D(SLID) | D(ROLLED) | D(TIGHT) | D(BESIDE)},
+    {"wide_ankle", NULL, "W40", D(LEG_IN_BOTH) | D(INSIDE_OUT) | D(SLID) | D(ROLLED) | D(TIGHT) | D(BESIDE)},
     {"gored4_skirt_midi", NULL, "W40", D(INSIDE_OUT) | D(SLID) | D(ROLLED) | D(TIGHT) | D(BESIDE) | D(HALF_ON)},
     {"corset_top", NULL, "W40", D(INSIDE_OUT) | D(SLID) | D(THROUGH) | D(TIGHT) | D(BESIDE) | D(HALF_ON)},
     {"d11_006_mean_all", "specs", "mean_all",

@@ -14,6 +14,7 @@
 #define CREASE                                                                                                         \
     0.0005 /* [m] how far to each side they are looked for; chosen: below the radius of any crease of a skin */
 #define SIDES_MAX (3 * MUS__TOUCHING_MAX)
+#define LIFT_SLACK 0.1     /* of a lift, likewise: distances are of first order, 6 % too large at a shoulder */
 #define TOUCH_SLACK 0.0005 /* [m] a node this far beyond the clearance still counts as carried by the skin */
 
 
@@ -60,7 +61,7 @@ static void carry(double *r, const double *normals, const double *own, int32_t c
 static int32_t carry_by_skin(const mus_drape *drape, const double *x, double lift, double weight, double *r)
 {
     double normal[3 * SIDES_MAX], friction[SIDES_MAX], all[3];
-    const double reach = drape->def.clearance + lift + TOUCH_SLACK;
+    const double reach = drape->def.clearance + lift + TOUCH_SLACK + LIFT_SLACK * lift;
     const int32_t count = mus__collider_touching(drape->scene.collider, x, reach, normal, friction);
     if (count == 0) return 0;
     memcpy(all, r, sizeof all);

@@ -58,6 +58,9 @@ struct mus_body {
     mus__crease *crease;                     /* (creases) */
     double fillet;                           /* width of the fillets where limbs meet [m], 0: none */
     int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
+    /* whether a part carries digits; x (MUS__DIGITS_VERTICES x 3) gets their vertices in the rest pose then. NULL: none
+     * do. A pointer, so that contact does not need the rest of this folder */
+    bool (*digits_of)(const struct mus_body *body, int32_t part, double *x);
     mus__rig rig;
     mus__body_level level[MUS__LEVEL_COUNT][2]; /* in the rest pose, left and right; none without a tape */
     mus__frame *frame;                          /* (parts) frames of a posed body, NULL: it stands in the rest pose */
@@ -75,8 +78,6 @@ struct mus_body {
 #define MUS__DIGITS_VERTICES (MUS__DIGITS * MUS__DIGIT_VERTICES)
 /* whether the body has a hand or foot; which: left hand, right hand, left foot, right foot */
 bool mus__digit_has(const mus_body *body, int32_t which);
-/* whether a part carries fingers or toes; x (MUS__DIGITS_VERTICES x 3) gets their vertices in the rest pose then */
-bool mus__digit_of_part(const mus_body *body, int32_t part, double *x);
 
 /* copy a body with its parts carried by frames (parts), which are those of the pose `stance`. Errors: MUS_ERR_MEMORY */
 mus_status mus__body_copy(const mus_body *body, const mus__frame *frame, const mus__stance *stance, mus_body **out);

@@ -196,7 +196,8 @@ static int32_t digit_side(const mus_body *body, int32_t which, double *x)
 }
 
 
-bool mus__digit_of_part(const mus_body *body, int32_t part, double *x)
+/* mus_body.digits_of */
+static bool digits_of(const mus_body *body, int32_t part, double *x)
 {
     for (int32_t which = 0; which < DIGIT_LIMBS && body->digit_vertices > 0; which++)
         if (mus__digit_has(body, which) && digit_side(body, which, x) == part) return true;
@@ -206,6 +207,7 @@ bool mus__digit_of_part(const mus_body *body, int32_t part, double *x)
 
 void mus__digit_make(mus_body *body)
 {
+    body->digits_of = digits_of;
     const int32_t each = MUS__DIGIT_VERTICES;
     int32_t vertex = body->vertex_count, *triangle = body->triangles + 3 * (ptrdiff_t)body->triangle_count;
     for (int32_t limb = 0; limb < DIGIT_LIMBS; limb++) {

@@ -25,6 +25,17 @@ typedef struct cover {
 } cover;
 
 
+/* directions (n x 2) of n equal steps of the diamond angle */
+static void cover_turns(int32_t n, double *turn)
+{
+    for (int32_t j = 0; j < n; j++) {
+        const double q = 4.0 * j / n, b = q - floor(q), x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x;
+        const double length = sqrt(x * x + y * y);
+        turn[2 * j] = (q < 1.0 || q >= 3.0 ? x : -x) / length, turn[2 * j + 1] = (q < 2.0 ? y : -y) / length;
+    }
+}
+
+
 /* a point of the section, from its centre */
 static void cover_add(cover *c, double a, double b)
 {
@@ -163,8 +174,8 @@ mus_status mus__digit_cover(const mus_body *body, int32_t part, double *radius, 
     if (body->digit_vertices == 0 || l < MUS__LIMB_ARM_LEFT) return MUS_OK;
     cover *c = mus__new(body->context, 1, sizeof *c);
     double *turn = mus__new(body->context, 2 * (int64_t)field->nangle, sizeof *turn);
-    if (c != NULL && turn != NULL && mus__digit_of_part(body, part, c->digit)) {
-        mus__field_turns(field->nangle, turn);
+    if (c != NULL && turn != NULL && body->digits_of != NULL && body->digits_of(body, part, c->digit)) {
+        cover_turns(field->nangle, turn);
         cover_field(c, cover_place(&body->limb[l], field->s0, c), turn, radius, field);
         if (!to->foot) cover_ends(c, field->pole[1] - field->s0, field->centre, field->nring, to);
         to->digits = true;

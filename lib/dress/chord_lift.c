@@ -17,15 +17,27 @@
 #include "geom/vec.h"
 #include "sim/force_program_constants.h"
 
-#define LIFT_MOST 0.5    /* of the spacing: a triangle that lacks more has a limb through it, which no lift cures */
+#define LIFT_MOST 0.5 /* of the spacing: a triangle that lacks more has a limb through it, which no lift cures */
+#define LIFT_FAR                                                                                                       \
+    0.01 /* [m] larger lifts are not taken: distances are of first order, 6 % too large at 9 mm over a shoulder */
+#define LIFT_COARSEST                                                                                                  \
+    0.05                 /* [m] spacing of a mesh that is lifted: the chords of a coarser one ask for more than that */
 #define LIFT_PARTS 4     /* of a triangle's side: samples are the points of this lattice but its corners */
 #define LIFT_ACROSS 0.25 /* least share of a lift that raises a sample: a lift is at most four times what one lacks */
+
+
+/* the largest lift of a drape's nodes [m] */
+static double lift_most(const mus_drape *drape)
+{
+    return fmin(LIFT_MOST * drape->cloth->spacing, LIFT_FAR);
+}
 
 
 mus_status mus__chord_lift_create(mus_drape *drape)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
     if (drape->scene.collider == NULL || drape->scene.collider->nparts == 0 || data->lift != NULL) return MUS_OK;
+    if (drape->cloth->spacing > LIFT_COARSEST) return MUS_OK;
     data->lift = mus__new(drape->context, drape->sim.n, sizeof *data->lift);
     data->gap = mus__new(drape->context, 6 * (int64_t)drape->n, sizeof *data->gap);
     if (data->lift == NULL || data->gap == NULL) {
@@ -114,7 +126,7 @@ static void lift_triangle(mus_drape *drape, uint64_t of, const int32_t *corner, 
             for (int32_t d = 0; d < 3; d++)
                 s.place[d] = s.share[0] * p[0][d] + s.share[1] * p[1][d] + s.share[2] * p[2][d];
             s.lack = mus__collider_parts_depth(collider, parts, s.place, margin, NULL) + MUS__LIFT_CLEAR;
-            if (s.lack > -margin && s.lack <= LIFT_MOST * drape->cloth->spacing) lift_note(drape, parts, corner, &s);
+            if (s.lack > -margin && s.lack <= lift_most(drape)) lift_note(drape, parts, corner, &s);
         }
 }
 
@@ -143,7 +155,7 @@ static void lift_measure(mus_drape *drape, const double *x, uint64_t of, double 
 mus_status mus__chord_lift_begin(mus_drape *drape)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
-    const double most = LIFT_MOST * drape->cloth->spacing, margin = drape->def.clearance + most;
+    const double most = lift_most(drape), margin = drape->def.clearance + most;
     const mus_status status = mus__chord_lift_create(drape);
     if (status != MUS_OK || data->lift == NULL) return status;
     lift_measure(drape, drape->x, ~(uint64_t)0, margin);
@@ -158,7 +170,7 @@ mus_status mus__chord_lift_begin(mus_drape *drape)
 double mus__chord_lift(mus_drape *drape, const double *x, bool thin)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
-    const double most = LIFT_MOST * drape->cloth->spacing, margin = drape->def.clearance + most;
+    const double most = lift_most(drape), margin = drape->def.clearance + most;
     double change = 0.0;
     if (data->lift == NULL) return 0.0;
     lift_measure(drape, x, thin ? mus__collider_thin_parts(drape->scene.collider) : ~(uint64_t)0, margin);
@@ -166,7 +178,7 @@ double mus__chord_lift(mus_drape *drape, const double *x, bool thin)
         const double now = (double)data->lift[i], off = data->gap[i] - drape->def.clearance;
         double need = now;
         if (data->lack[i] > 0.0) need = fmin(fmax(off + data->lack[i], now), most);
-        if (need > now && lift_pinched(drape, x + 3 * (int64_t)i, drape->def.clearance + need)) need = now;
+        if (need > 0.0 && lift_pinched(drape, x + 3 * (int64_t)i, drape->def.clearance + need)) need = 0.0;
         if (data->around[i] < -MUS__LIFT_CLEAR) need = fmin(now, fmax(off + data->around[i], 0.0));
         change = fmax(change, need - now);
         /* its plane is asked for anew */

@@ -85,6 +85,7 @@
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
 #define REST_WAY 1e-4    /* [m] a node that goes or strays no farther lies still */
 #define REST_SECONDS 0.5 /* [s] for which all nodes lie still, by the weaker rule of rest */
+#define LIFT_SECONDS 1.5 /* [s] of cloth time after the fall in which lifts are taken anew: then the cloth lies nearly */
 #define ROUNDING_DRIFT 0.25 /* of the drift allowed, by the rule of rounding */
 
 /* a coarse cut gives the place, not the folds */
@@ -228,9 +229,9 @@ static void choose_safety(const mus_drape *drape, const settling *goal, double t
 /* lifts nodes off the skin for the sake of the triangles between them. On a coarse cut it is done over hands and feet
  * alone, which would come through it: elsewhere the finer cut lies nearer to the skin. Nonzero when one rose by more
  * than what a triangle is to be off the skin: the cloth is not at rest then */
-static bool lift_nodes(mus_drape *drape, const settling *goal)
+static bool lift_nodes(mus_drape *drape, const settling *goal, double t)
 {
-    if (drape->sim.lift == NULL) return false;
+    if (drape->sim.lift == NULL || t > goal->fall + LIFT_SECONDS) return false;
     const double rise = mus__chord_lift(drape, drape->relax.mean, goal->residual >= ROUGH_RESIDUAL);
     return rise > MUS__LIFT_CLEAR;
 }
@@ -267,7 +268,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
                      (unheld <= goal->residual && now->quiet >= REST_SECONDS);
     if (gives) relax->settled = 0;
-    if (lift_nodes(drape, goal)) relax->settled = 0;
+    if (lift_nodes(drape, goal, t)) relax->settled = 0;
     choose_safety(drape, goal, t, residual < STALE_SHARE * now->best || residual <= goal->residual, gives, now);
 }
 

@@ -22,6 +22,7 @@ STEP = 2e-7       # of differences [m]
 TIGHT = 1e-6      # of a node's weight
 SPARE = 0.9       # of the friction that a push allows is what a sliding node is given, for the push may change
 NEAR, REACHED = 2e-5, 5e-5  # of the skin [m]
+LIFT = 0.01  # [m] the largest lift of a node beyond the clearance (lib/dress/chord_lift.c)
 EARNEST = 0.05    # of a node's weight
 REACH = 2.95      # spacings: second differences along diagonals reach 2.83
 FREE, STUCK, SLIDING = 0, 1, 2
@@ -73,7 +74,7 @@ class Statics:
         self.state = np.full(self.count, FREE)
         self.normal = np.zeros((self.count, 3))
         self.rub = np.zeros((self.count, 3))
-        self.steps, self.rounds, self.softest = 0, 0, 0.0
+        self.steps, self.rounds, self.softest, self.rms, self.lifted = 0, 0, 0.0, 0.0, 0
         self.pinned = np.zeros(self.count, bool)
         self.pinned[self.node[list(pins)]] = True
         self.support = self._support(cloth)
@@ -182,6 +183,7 @@ class Statics:
             self.steps += 1
             shift = shift if share < 1.0 else shift / 8 if shift > 1e-3 else 0.0
         self.softest = softest(solve, basis.shape[1]) if shift == 0.0 else -shift
+        self.rms = left[1]
         return x
 
     def search(self, x, way, f, energy, left, basis):
@@ -234,7 +236,13 @@ class Statics:
         return x, (int(off.sum()), int(slid.sum()), int(under.sum()))
 
     def settle(self, x, most=60):
-        """x at rest on the body: what is pushed against it at first is held, and judged when the rest lies still."""
+        """x at rest on the body: what is pushed against it at first is held, and judged when the rest lies still. Nodes
+        that the library lifted off the skin, for their triangles to be off it, lie on their lift."""
+        depth, normal = self.skin(x)
+        push = -(self.force(x) * normal).sum(axis=1) / self.weight
+        lifted = (-depth > self.clearance) & (-depth < self.clearance + LIFT) & (push > EARNEST)
+        self.clearance = np.where(lifted, -depth, self.clearance)
+        self.lifted = int(lifted.sum())
         self.touch(x)
         for _ in range(most):
             x, changed = self.judge(self.descend(x, prove=False))
@@ -256,7 +264,8 @@ def softest(solve, n, rounds=30):
 
 def rest(drape, cloth, start, **held):
     """(places, columns) of the shape at rest that `start` (nodes x 3) comes to. `value` is the residual that the
-    library finds there, error_mm how far the farthest node went."""
+    library finds there, or where nodes are lifted, which places alone do not tell it, that of Newton; error_mm how far
+    the farthest node went."""
     statics = Statics(drape, cloth, **held)
     begin = time.process_time()
     x = np.array(start, float)[statics.first]
@@ -266,11 +275,12 @@ def rest(drape, cloth, start, **held):
     drape.set_state(places)
     report, count = drape.report, np.bincount(statics.state, minlength=3)
     moved = 1e3 * np.linalg.norm(places - start, axis=1)
+    value = statics.rms if statics.lifted else report["residual"]
     skin = f", {count[STUCK]} nodes stick and {count[SLIDING]} slid, judged {statics.rounds} times" if count[1:].any() \
         else ""
-    return places, {"status": "ok" if statics.softest > 0.0 else "saddle", "cpu_s": took, "value": report["residual"],
+    return places, {"status": "ok" if statics.softest > 0.0 else "saddle", "cpu_s": took, "value": value,
                     "exact": 0.0, "steps": statics.steps, "error_mm": float(moved.max()),
                     "error_rms_mm": float(np.sqrt(np.mean(moved ** 2))),
-                    "note": f"{statics.steps} steps of Newton; residual {report['residual']:.1e} of a weight; every "
+                    "note": f"{statics.steps} steps of Newton; residual {value:.1e} of a weight; every "
                             f"motion costs energy, the softest {statics.softest:.1e} N/m{skin}; energy "
                             f"{report['energy']:.9g} J; the farthest node went {moved.max():.2g} mm"}

@@ -85,7 +85,7 @@
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
 #define REST_WAY 1e-4    /* [m] a node that goes or strays no farther lies still */
 #define REST_SECONDS 0.5 /* [s] for which all nodes lie still, by the weaker rule of rest */
-#define LIFT_SECONDS 1.5 /* [s] of cloth time after the fall in which lifts are taken anew: then the cloth lies nearly */
+#define LIFT_SECONDS 1.5    /* [s] of cloth time after the fall in which lifts are taken anew: then cloth lies nearly */
 #define ROUNDING_DRIFT 0.25 /* of the drift allowed, by the rule of rounding */
 
 /* a coarse cut gives the place, not the folds */

@@ -158,7 +158,7 @@ START_TEST(triangles_are_off_the_skin)
     worn_put_on_design(&w, row->design, NULL);
     mus_dress_def def;
     mus_dress_def_init(&def, sizeof def);
-    def.spacing = 0.03;
+    def.spacing = 0.02;
     ck_assert_msg(mus_dress(w.context, w.pattern, w.body, &def, NULL, NULL, &w.cloth, &w.drape) == MUS_OK, "%s",
                   mus_context_error(w.context));
     const double *x = mus_drape_positions(w.drape);

@@ -28,7 +28,7 @@
     G(wrap_skirt_mini, W34, 32) G(sarong, W50, 64) G(godet_skirt_midi, W40, 32) G(trumpet_skirt_midi, W34, 64)         \
     G(straight_skirt_high, W50, 32) G(a_line_skirt_high, W40, 64) G(half_skirt_contour, W34, 32)                       \
     G(box_skirt_high, W50, 64) G(tiered_skirt_elastic_mini, W40, 32) G(full_skirt_elastic_knee, W34, 64)               \
-    G(half_skirt_elastic_mini, W50, 32) G(tube_skirt, W40, 64) G(wide_capri, W34, 32) G(straight_bermudas, C116, 64)    \
+    G(half_skirt_elastic_mini, W50, 32) G(tube_skirt, W40, 64) G(wide_capri, W34, 32) G(straight_bermudas, C116, 64)   \
     G(tapered_capri, M50, 64) G(bootcut_ankle, M58, 64) G(wide_bermudas, W40, 32) G(culotte_bermudas, M46, 64)         \
     G(straight_capri, W40, 64) G(straight_elastic_bermuda, W40, 32) G(wide_elastic_bermuda, C116, 64)           \
     G(little_black_dress, W34, 32) G(pencil_sweetheart_sleeveless, W34, 32) G(a_line_v_sleeveless, W34, 64)            \

@@ -42,30 +42,30 @@ struct mus_body {
     mus__skeleton skeleton;
     double asked[MUS_MEASURE_COUNT], made[MUS_MEASURE_COUNT];
     int32_t source[MUS_MEASURE_COUNT];
-    bool measured; /* made from a tape: it has landmarks and measures */
-    bool scanned;  /* made from a mesh: limbs that it lacks cannot be posed */
-    bool jointed;  /* made from a tape or a mesh: it has bones and can be posed */
+    bool measured;   /* made from a tape: it has landmarks and measures */
+    bool scanned;    /* made from a mesh: limbs that it lacks cannot be posed */
+    bool jointed;    /* made from a tape or a mesh: it has bones and can be posed */
     mus__bones bones;
     mus__limb *limb; /* (limb_count) */
     int32_t limb_count;
     double *outline; /* corners of all contours that are outlines, NULL: none */
     int32_t vertex_count, triangle_count;
-    double *vertices;   /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
-    double *normals;    /* (vertex_count + digit_vertices x 3) */
-    int32_t *triangles; /* (triangle_count + digit_triangles x 3) */
-    double *ring;       /* (rings of all limbs) s of each ring [m] */
+    double *vertices;     /* (vertex_count + digit_vertices x 3) the skin: on the surface of the fields [m] */
+    double *normals;      /* (vertex_count + digit_vertices x 3) */
+    int32_t *triangles;   /* (triangle_count + digit_triangles x 3) */
+    double *ring;         /* (rings of all limbs) s of each ring [m] */
     int32_t creases;
-    mus__crease *crease;                     /* (creases) */
-    double fillet;                           /* width of the fillets where limbs meet [m], 0: none */
+    mus__crease *crease;  /* (creases) */
+    double fillet;        /* width of the fillets where limbs meet [m], 0: none */
     int32_t digit_vertices, digit_triangles; /* fingers and toes, after all limbs */
     /* whether a part carries digits; x (MUS__DIGITS_VERTICES x 3) gets their vertices in the rest pose then. NULL: none
      * do. A pointer, so that contact does not need the rest of this folder */
     bool (*digits_of)(const struct mus_body *body, int32_t part, double *x);
     mus__rig rig;
     mus__body_level level[MUS__LEVEL_COUNT][2]; /* in the rest pose, left and right; none without a tape */
-    mus__frame *frame;                          /* (parts) frames of a posed body, NULL: it stands in the rest pose */
-    mus__stance stance;                         /* pose of a posed body */
-    mus__field *field;                          /* (nfield) one for each part of the rig, in that order */
+    mus__frame *frame;  /* (parts) frames of a posed body, NULL: it stands in the rest pose */
+    mus__stance stance; /* pose of a posed body */
+    mus__field *field;  /* (nfield) one for each part of the rig, in that order */
     int32_t nfield;
     mus__body_kept *kept;
 };

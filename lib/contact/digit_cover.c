@@ -13,9 +13,9 @@
 #include "contact/offset_surface.h"
 #include "geom/polygon.h"
 
-#define COVER_CAP                                                                                                      \
-    0.8 /* of the way from the last ring to the pole, where the longest digit ends: an ellipse through it              \
-         * is 1/0.6 as wide at the ring; chosen */
+/* of the way from the last ring to the pole, where the longest digit ends; chosen: an ellipse through it is 1/0.6 as
+ * wide at the ring */
+#define COVER_CAP 0.8
 #define COVER_POINTS (MUS__FIELD_MOST + 3 * MUS__DIGITS_VERTICES) /* of a section: a digit has three edges a vertex */
 
 /* memory of a cover: digits in the coordinates of the limb (s, a, b); the section of a ring, its hull, scratch */
@@ -23,17 +23,6 @@ typedef struct cover {
     double digit[3 * MUS__DIGITS_VERTICES], point[2 * COVER_POINTS];
     int32_t hull[COVER_POINTS], scratch[COVER_POINTS], count;
 } cover;
-
-
-/* directions (n x 2) of n equal steps of the diamond angle */
-static void cover_turns(int32_t n, double *turn)
-{
-    for (int32_t j = 0; j < n; j++) {
-        const double q = 4.0 * j / n, b = q - floor(q), x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x;
-        const double length = sqrt(x * x + y * y);
-        turn[2 * j] = (q < 1.0 || q >= 3.0 ? x : -x) / length, turn[2 * j + 1] = (q < 2.0 ? y : -y) / length;
-    }
-}
 
 
 /* a point of the section, from its centre */
@@ -175,7 +164,10 @@ mus_status mus__digit_cover(const mus_body *body, int32_t part, double *radius, 
     cover *c = mus__new(body->context, 1, sizeof *c);
     double *turn = mus__new(body->context, 2 * (int64_t)field->nangle, sizeof *turn);
     if (c != NULL && turn != NULL && body->digits_of != NULL && body->digits_of(body, part, c->digit)) {
-        cover_turns(field->nangle, turn);
+        for (int32_t j = 0; j < field->nangle; j++) {
+            const double length = mus__diamond_point(j, field->nangle, &turn[2 * j], &turn[2 * j + 1]);
+            turn[2 * j] /= length, turn[2 * j + 1] /= length;
+        }
         cover_field(c, cover_place(&body->limb[l], field->s0, c), turn, radius, field);
         if (!to->foot) cover_ends(c, field->pole[1] - field->s0, field->centre, field->nring, to);
         to->digits = true;

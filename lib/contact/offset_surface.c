@@ -51,9 +51,8 @@ static void offset_columns_at(offset_columns *at, int32_t first)
     const int32_t n = at->field->nangle;
     for (int32_t i = 0; i < OFFSET_LANES; i++) {
         const int32_t j = at->column[i] = first + i < n ? first + i : n - 1;
-        const double q = 4.0 * j / n, b = q - floor(q);
-        const double x = (int32_t)q % 2 == 0 ? 1.0 - b : b, y = 1.0 - x, length = sqrt(x * x + y * y);
-        at->ua[i] = (q < 1.0 || q >= 3.0 ? x : -x) / length, at->ub[i] = (q < 2.0 ? y : -y) / length;
+        const double q = 4.0 * j / n, b = q - floor(q), length = mus__diamond_point(j, n, &at->ua[i], &at->ub[i]);
+        at->ua[i] /= length, at->ub[i] /= length;
         at->bend[i] = b * b + (1.0 - b) * (1.0 - b);
     }
 }

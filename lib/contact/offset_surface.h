@@ -46,6 +46,15 @@ mus_status mus__offset_surface_take(mus_context *context, const mus_body *body, 
 /* one user less; the last one destroys it. NULL is accepted */
 void mus__offset_surface_leave(mus__offset_surface *surface);
 
+/* the point (x, y) of the diamond angle 4 j / n, with |x| + |y| = 1, and its distance from the axis */
+static inline double mus__diamond_point(int32_t j, int32_t n, double *x, double *y)
+{
+    const double q = 4.0 * j / n, b = q - floor(q), a = (int32_t)q % 2 == 0 ? 1.0 - b : b;
+    *x = q < 1.0 || q >= 3.0 ? a : -a;
+    *y = q < 2.0 ? 1.0 - a : a - 1.0;
+    return sqrt(a * a + (1.0 - a) * (1.0 - a));
+}
+
 /* digit_cover.c: widens *field, a copy of that of a part, over its fingers or toes, if it has any: its radii are put
  * into `radius` (nring x nangle) then. *to: whether it is a foot, and its free ends. Errors: MUS_ERR_MEMORY */
 mus_status mus__digit_cover(const mus_body *body, int32_t part, double *radius, mus__field *field,

@@ -204,10 +204,10 @@ void MUS__NAME(plane_cache_pass)(const mus__collider *collider, const mus__conta
         MUS__NAME(cache_chunk)(own, n, count, inverse + start, cache + start, x + start, v + start, left);
         for (int32_t i = start; i < start + count; i++) {
             if (left[i - start] == 0) continue;
+            const MUS__REAL lift = (MUS__REAL)mus__contact_lift(nodes, i);
             MUS__REAL p[3], w[3];
             for (int64_t d = 0; d < 3; d++) p[d] = x[d * n + i], w[d] = v[d * n + i];
-            MUS__NAME(cache_renew)
-            (collider, &own, &surfaces, (MUS__REAL)mus__contact_lift(nodes, i), n, cache + i, p, w, &tally->queries);
+            MUS__NAME(cache_renew)(collider, &own, &surfaces, lift, n, cache + i, p, w, &tally->queries);
             for (int64_t d = 0; d < 3; d++) x[d * n + i] = p[d], v[d * n + i] = w[d];
         }
     }

@@ -17,20 +17,14 @@
 #include "geom/vec.h"
 #include "sim/force_program_constants.h"
 
-#define LIFT_MOST 0.5 /* of the spacing: a triangle that lacks more has a limb through it, which no lift cures */
-#define LIFT_FAR                                                                                                       \
-    0.01 /* [m] larger lifts are not taken: distances are of first order, 6 % too large at 9 mm over a shoulder */
-#define LIFT_COARSEST                                                                                                  \
-    0.05                 /* [m] spacing of a mesh that is lifted: the chords of a coarser one ask for more than that */
-#define LIFT_PARTS 4     /* of a triangle's side: samples are the points of this lattice but its corners */
-#define LIFT_ACROSS 0.25 /* least share of a lift that raises a sample: a lift is at most four times what one lacks */
-
-
-/* the largest lift of a drape's nodes [m] */
-static double lift_most(const mus_drape *drape)
-{
-    return fmin(LIFT_MOST * drape->cloth->spacing, LIFT_FAR);
-}
+/* [m] the largest lift; a triangle that lacks more has a limb through it. Distances are of first order: at 9 mm over a
+ * shoulder they are 6 % too large */
+#define LIFT_MOST 0.01
+/* [m] spacing of a mesh that is lifted, at most: the chords of a coarser one lack more than a lift */
+#define LIFT_COARSEST 0.05
+/* least share of a lift that raises a sample: a lift is at most four times what a sample lacks */
+#define LIFT_ACROSS 0.25
+#define LIFT_PARTS 4 /* of a triangle's side: samples are the points of this lattice but its corners */
 
 
 mus_status mus__chord_lift_create(mus_drape *drape)
@@ -126,7 +120,7 @@ static void lift_triangle(mus_drape *drape, uint64_t of, const int32_t *corner, 
             for (int32_t d = 0; d < 3; d++)
                 s.place[d] = s.share[0] * p[0][d] + s.share[1] * p[1][d] + s.share[2] * p[2][d];
             s.lack = mus__collider_parts_depth(collider, parts, s.place, margin, NULL) + MUS__LIFT_CLEAR;
-            if (s.lack > -margin && s.lack <= lift_most(drape)) lift_note(drape, parts, corner, &s);
+            if (s.lack > -margin && s.lack <= LIFT_MOST) lift_note(drape, parts, corner, &s);
         }
 }
 
@@ -140,6 +134,7 @@ static void lift_measure(mus_drape *drape, const double *x, uint64_t of, double 
         const double *p = x + 3 * (int64_t)i;
         const uint64_t parts = of & mus__collider_parts_near(drape->scene.collider, p, p, margin);
         double *normal = data->normal + 3 * (int64_t)i;
+        normal[0] = normal[1] = normal[2] = 0.0; /* of a node out of reach */
         data->lack[i] = data->around[i] = -margin;
         data->gap[i] = fmin(-mus__collider_parts_depth(drape->scene.collider, parts, p, margin, normal), margin);
     }
@@ -155,13 +150,13 @@ static void lift_measure(mus_drape *drape, const double *x, uint64_t of, double 
 mus_status mus__chord_lift_begin(mus_drape *drape)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
-    const double most = lift_most(drape), margin = drape->def.clearance + most;
+    const double margin = drape->def.clearance + LIFT_MOST;
     const mus_status status = mus__chord_lift_create(drape);
     if (status != MUS_OK || data->lift == NULL) return status;
     lift_measure(drape, drape->x, ~(uint64_t)0, margin);
     for (int32_t i = 0; i < drape->n; i++) {
         const double low = data->gap[i] - drape->def.clearance + data->around[i];
-        data->lift[i] = (float)(data->gap[i] < margin ? fmin(fmax(low, 0.0), most) : 0.0);
+        data->lift[i] = (float)(data->gap[i] < margin ? fmin(fmax(low, 0.0), LIFT_MOST) : 0.0);
     }
     return MUS_OK;
 }
@@ -170,14 +165,14 @@ mus_status mus__chord_lift_begin(mus_drape *drape)
 double mus__chord_lift(mus_drape *drape, const double *x, bool thin)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
-    const double most = lift_most(drape), margin = drape->def.clearance + most;
+    const double margin = drape->def.clearance + LIFT_MOST;
     double change = 0.0;
     if (data->lift == NULL) return 0.0;
     lift_measure(drape, x, thin ? mus__collider_thin_parts(drape->scene.collider) : ~(uint64_t)0, margin);
     for (int32_t i = 0; i < drape->n; i++) {
         const double now = (double)data->lift[i], off = data->gap[i] - drape->def.clearance;
         double need = now;
-        if (data->lack[i] > 0.0) need = fmin(fmax(off + data->lack[i], now), most);
+        if (data->lack[i] > 0.0) need = fmin(fmax(off + data->lack[i], now), LIFT_MOST);
         if (need > 0.0 && lift_pinched(drape, x + 3 * (int64_t)i, drape->def.clearance + need)) need = 0.0;
         if (data->around[i] < -MUS__LIFT_CLEAR) need = fmin(now, fmax(off + data->around[i], 0.0));
         change = fmax(change, need - now);

@@ -8,8 +8,8 @@
 
 #include "muslin/drape.h"
 
-/* [m] that triangles stay off the field of a limb: what the skin's own triangles differ from it (0.5 mm at most by
- * `make outside`) */
+/* [m] that triangles stay off the field of a limb; chosen: the drawn skin is farther than 0.5 mm from its fields on a
+ * thousandth of its area (`make outside`) */
 #define MUS__LIFT_CLEAR 3e-4
 
 /* its memory, with lifts of 0, for a drape round a body. Errors: MUS_ERR_MEMORY */

@@ -21,13 +21,14 @@
 #include "selfcontact/crossing_count.h"
 
 #define OFF_ENDS 16 /* free ends of a body: two hands with five fingers each have 12 */
-/* times the clearance: so far beyond the tip a triangle is drawn; one that meets the axis less deep is lifted
- * (chord_lift.c) */
+/* times the clearance, that a triangle is drawn beyond a tip; one that meets the axis less deep is lifted
+ * (chord_lift.c); chosen: at 1 a cape stays on a thumb */
 #define OFF_BEYOND 2.0
-#define OFF_ROUNDS 8     /* a triangle that is drawn off may take its neighbour with it; chosen */
-#define STEP_HEIGHT 0.15 /* [m] above every foot: how far a node is lifted at most */
-#define STEP_HALVINGS 12 /* of that height: to 0.04 mm */
-#define STEP_ORDER 0.1   /* of its height over the floor a node keeps over the foot, so that nodes keep their order */
+#define OFF_ROUNDS 8 /* a triangle that is drawn off may take its neighbour with it; chosen */
+/* of its height over the floor, that a node keeps over the foot so that nodes keep their order; chosen: small, for a
+ * hem that is lifted is folded by it */
+#define STEP_ORDER 0.1
+#define STEP_HALVINGS 12 /* of the height of a foot: to 0.04 mm */
 
 
 /* share of the way from a to b (3) at which it meets the triangle p q r */
@@ -70,11 +71,21 @@ static int32_t off_triangle(const mus_drape *drape, const double *end, int32_t k
 }
 
 
-/* moves a place up until it is `off` above the feet; true when it was in one */
-static bool step_up(const mus__collider *collider, uint64_t feet, double off, double *place)
+/* height of the world that all feet are below, with what cloth keeps off them [m] */
+static double step_top(const mus__collider *collider, uint64_t feet)
 {
-    double low = place[1], high = low + STEP_HEIGHT;
-    if (!(mus__collider_parts_depth(collider, feet, place, off, NULL) > -off)) return false;
+    double top = -INFINITY;
+    for (int32_t l = 0; l < collider->nparts; l++)
+        if ((feet >> l & 1) != 0) top = fmax(top, collider->box[6 * (ptrdiff_t)l + 4] + collider->origin[1]);
+    return top;
+}
+
+
+/* moves a place that is nearer to a foot than `off` up until it is so far off it, below `top`; true when it was */
+static bool step_up(const mus__collider *collider, uint64_t feet, double top, double off, double *place)
+{
+    double low = place[1], high = top;
+    if (!(low < top) || !(mus__collider_parts_depth(collider, feet, place, off, NULL) > -off)) return false;
     for (int32_t k = 0; k < STEP_HALVINGS; k++) {
         const double half = 0.5 * (low + high), at[3] = {place[0], half, place[2]};
         const bool in = mus__collider_parts_depth(collider, feet, at, off, NULL) > -off;
@@ -85,16 +96,18 @@ static bool step_up(const mus__collider *collider, uint64_t feet, double off, do
 }
 
 
-/* lifts the nodes that lie in a foot over it; returns their number */
+/* lifts the nodes that lie in a foot, or nearer to it than they keep off, over it; returns their number. Cloth that
+ * came to rest lies on feet that are in already */
 static int32_t step_in(mus_drape *drape)
 {
     const mus__collider *collider = drape->scene.collider;
-    const uint64_t feet = collider != NULL ? mus__collider_feet(collider) : 0;
+    const uint64_t feet = collider != NULL && drape->relax.far ? mus__collider_feet(collider) : 0;
+    const double top = feet != 0 ? step_top(collider, feet) : 0.0, off = drape->def.clearance;
     int32_t found = 0;
     for (int32_t i = 0; i < drape->n && feet != 0; i++) {
         double *x = drape->x + 3 * (int64_t)i;
         const double was = x[1];
-        if (drape->pinned[drape->rep[i]] || !step_up(collider, feet, drape->def.clearance, x)) continue;
+        if (drape->pinned[drape->rep[i]] || !step_up(collider, feet, top, off, x)) continue;
         x[1] += STEP_ORDER * was;
         found++;
     }

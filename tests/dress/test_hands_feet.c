@@ -4,6 +4,7 @@
  * garment at rest are off the skin as its nodes are.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "contact/hands_feet.h"
@@ -179,6 +180,17 @@ START_TEST(triangles_are_off_the_skin)
     }
     ck_assert_double_le(deepest, 1e-3);
     for (int32_t i = 0; i < mus_drape_node_count(w.drape); i++) ck_assert_double_gt(x[3 * i + 1], 0.0);
+
+    /* feet and fingers are in already: a settle after it leaves the cloth where it lies */
+    const int32_t n = 3 * mus_drape_node_count(w.drape);
+    double *before = malloc((size_t)n * sizeof *before), farthest = 0.0;
+    memcpy(before, x, (size_t)n * sizeof *before);
+    ck_assert_int_eq(mus__draw_off(w.drape), 0);
+    ck_assert_int_eq(mus_drape_settle(w.drape, NULL, NULL), MUS_OK);
+    x = mus_drape_positions(w.drape);
+    for (int32_t i = 0; i < n; i++) farthest = fmax(farthest, fabs(x[i] - before[i]));
+    ck_assert_double_le(farthest, 2e-3);
+    free(before);
     worn_end(&w);
 }
 END_TEST

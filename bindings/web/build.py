@@ -27,10 +27,12 @@ EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what 
 CAIRO = {"lib/paperfile/pdf.c", "lib/print/lettering_pango.c", "lib/print/lettering_strokes.c"}  # its calls, or Pango's
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
 FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
-         "-O3", "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
+         "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",
          "-DMUS_STROKES_ONLY", "-DMUS_ENGLISH_ONLY", "-fvisibility=hidden",
          "-ffunction-sections", "-fdata-sections", "-include", str(HERE / "src/absent.h"),
          f"-I{HERE / 'src'}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'lib'}"]
+# rooms of lib/ where a garment's time goes; the others are compiled for size, and the answers are the same at any level
+FAST = {"base", "body", "cloth", "contact", "drape", "dress", "geom", "integrate", "limb", "selfcontact", "sim"}
 PACKAGES = {"three": "^0.180.0", "esbuild": "^0.25.0"}
 LARGEST = 700_000  # bytes of all files together, compressed
 
@@ -57,7 +59,8 @@ def compile_one(clang, file):
         needed = rules.read_text().replace("\\\n", " ").split(":", 1)[1].split()
         if all(os.path.exists(path) and os.path.getmtime(path) <= made.stat().st_mtime for path in needed):
             return made
-    subprocess.run([clang, *FLAGS, "-MMD", "-MF", rules, "-c", file, "-o", made], check=True)
+    level = "-O3" if file.parent.name in FAST else "-Os"
+    subprocess.run([clang, level, *FLAGS, "-MMD", "-MF", rules, "-c", file, "-o", made], check=True)
     return made
 
 

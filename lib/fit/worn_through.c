@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "fit/worn_internal.h"
+#include "geom/predicate.h"
 #include "geom/vec.h"
 #include "selfcontact/box_grid.h"
 #include "selfcontact/crossing_count.h"
@@ -27,7 +28,7 @@ typedef struct through_search {
     const double *x, *body;      /* places of the corners */
     int32_t ncloth, count;
     uint8_t *crosses; /* (ncloth) */
-    uint8_t *inside;  /* (nodes of the cloth) */
+    uint8_t *inside;  /* (nodes of the cloth); right behind crosses */
 } through_search;
 
 
@@ -55,11 +56,22 @@ static int32_t through_edges(const int32_t *p, const double *x, const int32_t *q
 }
 
 
+/* whether the corners of triangle p (of x) lie on one side of the plane of q (of y): they do not meet then */
+static bool through_beside(const int32_t *p, const double *x, const int32_t *q, const double *y)
+{
+    const double *a = y + 3 * (ptrdiff_t)q[0], *b = y + 3 * (ptrdiff_t)q[1], *c = y + 3 * (ptrdiff_t)q[2];
+    const double first = mus__orient3d(a, b, c, x + 3 * (ptrdiff_t)p[0]);
+    for (int32_t k = 1; k < 3; k++)
+        if (!(first * mus__orient3d(a, b, c, x + 3 * (ptrdiff_t)p[k]) > 0.0)) return false;
+    return true;
+}
+
+
 static void through_pair(void *user, int32_t a, int32_t b)
 {
     through_search *s = user;
-    if ((a < s->ncloth) == (b < s->ncloth)) return;
     const int32_t *cloth = s->cloth + 3 * (ptrdiff_t)a, *skin = s->skin + 3 * (ptrdiff_t)s->item[b - s->ncloth];
+    if (through_beside(cloth, s->x, skin, s->body)) return;
     if (!through_edges(cloth, s->x, skin, s->body) && !through_edges(skin, s->body, cloth, s->x)) return;
     s->count++;
     s->crosses[a] = 1;
@@ -126,16 +138,16 @@ static void through_measure(const mus__worn_call *call, const through_search *se
 }
 
 
-/* whether segment a b meets triangle k of the cloth; the box of the triangle is compared first */
-static bool through_axis(const mus__worn_call *call, const double *a, const double *b, int32_t k)
+/* whether segment a b, with the box from low to high, meets triangle k of the cloth; the boxes are compared first */
+static bool through_axis(const mus__worn_call *call, const double *a, const double *b, const double *low,
+                         const double *high, int32_t k)
 {
     const int32_t *v = call->drape->cloth->triangle + 3 * (ptrdiff_t)k;
     const double *p = call->x + 3 * (ptrdiff_t)v[0], *q = call->x + 3 * (ptrdiff_t)v[1];
     const double *r = call->x + 3 * (ptrdiff_t)v[2];
-    for (int32_t d = 0; d < 3; d++) {
-        const double low = fmin(a[d], b[d]), high = fmax(a[d], b[d]);
-        if ((p[d] < low && q[d] < low && r[d] < low) || (p[d] > high && q[d] > high && r[d] > high)) return false;
-    }
+    for (int32_t d = 0; d < 3; d++)
+        if ((p[d] < low[d] && q[d] < low[d] && r[d] < low[d]) || (p[d] > high[d] && q[d] > high[d] && r[d] > high[d]))
+            return false;
     return mus__segment_meets_triangle(a, b, p, q, r) != 0;
 }
 
@@ -148,9 +160,11 @@ void mus__worn_pierced(const mus__worn_call *call)
     for (int32_t limb = 0; limb < MUS_WORN_LIMBS; limb++)
         for (int32_t k = 0; k + 1 < axes->count[limb]; k++) {
             const double *a = axes->point[limb][k], *b = axes->point[limb][k + 1];
+            const double low[3] = {fmin(a[0], b[0]), fmin(a[1], b[1]), fmin(a[2], b[2])};
+            const double high[3] = {fmax(a[0], b[0]), fmax(a[1], b[1]), fmax(a[2], b[2])};
             for (int32_t t = 0; t < call->drape->cloth->ntriangle; t++) {
                 char text[128];
-                if (!through_axis(call, a, b, t)) continue;
+                if (!through_axis(call, a, b, low, high, t)) continue;
                 snprintf(text, sizeof text, "%s through the cloth", names[limb]);
                 mus__worn_note(call, MUS_WORN_THROUGH, limb, MUS_NONE,
                                call->drape->cloth->triangle[3 * (ptrdiff_t)t], 0.0, text);
@@ -170,8 +184,8 @@ mus_status mus__worn_through(const mus__worn_call *call)
                              .body = mus_body_vertices(call->body), .ncloth = cloth->ntriangle};
     mus__box_grid grid = {0};
     search.item = mus__new(drape->context, (int64_t)nskin + 1, sizeof *search.item);
-    uint8_t *some = mus__new(drape->context, (int64_t)all + cloth->ntriangle + cloth->nnode, sizeof *some);
-    mus_status status = search.item != NULL && some != NULL ? MUS_OK : MUS_ERR_MEMORY;
+    search.crosses = mus__new(drape->context, (int64_t)cloth->ntriangle + cloth->nnode, sizeof *search.crosses);
+    mus_status status = search.item != NULL && search.crosses != NULL ? MUS_OK : MUS_ERR_MEMORY;
     if (status == MUS_OK) status = mus__box_grid_create(drape->context, all, &grid);
     if (status == MUS_OK) {
         float *const box = grid.box;
@@ -191,13 +205,12 @@ mus_status mus__worn_through(const mus__worn_call *call)
                               own[4] >= low[1] && own[5] >= low[2];
             if (near) search.item[n++ - cloth->ntriangle] = k;
         }
-        memset(some, 1, (size_t)cloth->ntriangle);
-        search.crosses = some + all, search.inside = some + all + cloth->ntriangle;
-        mus__box_grid_pairs(&grid, n, 0.0f, some, through_pair, &search);
+        search.inside = search.crosses + cloth->ntriangle;
+        mus__box_grid_between(&grid, cloth->ntriangle, n, 0.0f, through_pair, &search);
         mus__box_grid_destroy(drape->context, &grid);
         through_measure(call, &search);
     }
-    mus__free(drape->context, some);
+    mus__free(drape->context, search.crosses);
     mus__free(drape->context, search.item);
     return status == MUS_OK ? MUS_OK : mus__fail_memory(drape->context, "a count of cloth through the body");
 }

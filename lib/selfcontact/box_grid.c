@@ -65,19 +65,21 @@ static mus__box_slot *grid_find(const mus__box_grid *grid, int64_t key)
 }
 
 
-/* the first n boxes sorted by cells of at least `reach` and the largest box; returns the number of cells */
-static int32_t grid_sort(mus__box_grid *grid, int32_t n, float reach)
+/* the first n boxes sorted by cells of `reach` and half of the largest box before `first` and from it on: centres of
+ * boxes that meet are no farther apart. Returns the number of cells */
+static int32_t grid_sort(mus__box_grid *grid, int32_t first, int32_t n, float reach)
 {
-    float low[3] = {3e38f, 3e38f, 3e38f}, size = GRID_LEAST, far = 0.0f;
+    float low[3] = {3e38f, 3e38f, 3e38f}, widest[2] = {GRID_LEAST, GRID_LEAST}, far = 0.0f;
     for (int32_t i = 0; i < n; i++)
         for (int32_t d = 0; d < 3; d++) {
             const float a = grid->box[6 * (int64_t)i + d], b = grid->box[6 * (int64_t)i + 3 + d];
             if (a < low[d]) low[d] = a;
-            if (b - a > size) size = b - a;
+            if (b - a > widest[i < first]) widest[i < first] = b - a;
             if (b > far) far = b;
             if (-a > far) far = -a;
         }
-    size += reach + GRID_ROUND * far;
+    if (first == n) widest[0] = widest[1]; /* each with each */
+    const float size = 0.5f * (widest[0] + widest[1]) + reach + GRID_ROUND * far;
 
     /* which cell each box is in, how many there are in each */
     int32_t cells = 0;
@@ -110,10 +112,9 @@ static int32_t grid_sort(mus__box_grid *grid, int32_t n, float reach)
 }
 
 
-/* box i of the sorted ones with those of a cell, from j to end; some not NULL: without pairs that come to i by
- * themselves */
-static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t end, float reach, const uint8_t *some,
-                      mus__box_pair_fn fn, void *user)
+/* box i of the sorted ones with those from j to end */
+static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t end, float reach, mus__box_pair_fn fn,
+                      void *user)
 {
     const float *a = grid->sorted + 6 * (int64_t)i;
     const float l0 = a[0] - reach, l1 = a[1] - reach, l2 = a[2] - reach;
@@ -123,47 +124,42 @@ static void grid_meet(const mus__box_grid *grid, int32_t i, int32_t j, int32_t e
         const float *b = grid->sorted + 6 * (int64_t)j;
         if (b[3] < l0 || b[0] > h0 || b[4] < l1 || b[1] > h1 || b[5] < l2 || b[2] > h2) continue;
         const int32_t t = grid->item[j];
-        if (some != NULL && (t == s || (some[t] && t < s))) continue;
         fn(user, s < t ? s : t, s < t ? t : s);
     }
 }
 
 
-/* the marked boxes with all boxes in their cell and the 26 around it */
-static void grid_some(const mus__box_grid *grid, int32_t cells, float reach, const uint8_t *some, mus__box_pair_fn fn,
-                      void *user)
+/* the cell at k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1 from cell c, or MUS_NONE */
+static int32_t grid_beside(const mus__box_grid *grid, int32_t c, int32_t k)
 {
+    return grid_find(grid, grid->key[c] + grid_key(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1))->cell;
+}
+
+
+void mus__box_grid_pairs(mus__box_grid *grid, int32_t n, float reach, mus__box_pair_fn fn, void *user)
+{
+    const int32_t cells = n > 0 ? grid_sort(grid, n, n, reach) : 0;
     for (int32_t c = 0; c < cells; c++)
-        for (int32_t i = grid->start[c]; i < grid->start[c + 1]; i++) {
-            if (!some[grid->item[i]]) continue;
-            for (int32_t k = 0; k < 27; k++) {
-                const int64_t key = grid->key[c] + grid_key(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1);
-                const int32_t other = grid_find(grid, key)->cell;
-                if (other != MUS_NONE)
-                    grid_meet(grid, i, grid->start[other], grid->start[other + 1], reach, some, fn, user);
-            }
+        for (int32_t k = 13; k < 27; k++) { /* itself, and those ahead of it in the order of x, y, z */
+            const int32_t other = k > 13 ? grid_beside(grid, c, k) : c;
+            if (other == MUS_NONE) continue;
+            for (int32_t i = grid->start[c]; i < grid->start[c + 1]; i++)
+                grid_meet(grid, i, other != c ? grid->start[other] : i + 1, grid->start[other + 1], reach, fn, user);
         }
 }
 
 
-void mus__box_grid_pairs(mus__box_grid *grid, int32_t n, float reach, const uint8_t *some, mus__box_pair_fn fn,
-                         void *user)
+void mus__box_grid_between(mus__box_grid *grid, int32_t first, int32_t n, float reach, mus__box_pair_fn fn, void *user)
 {
-    const int32_t cells = n > 0 ? grid_sort(grid, n, reach) : 0;
-    if (some != NULL) {
-        grid_some(grid, cells, reach, some, fn, user);
-        return;
-    }
-    for (int32_t c = 0; c < cells; c++) {
-        const int32_t first = grid->start[c], end = grid->start[c + 1];
-        for (int32_t k = 0; k < 14; k++) {
-            /* itself, and those ahead of it in the order of x, y, z */
-            const int32_t dz = (k + 13) % 3 - 1, dy = (k + 13) / 3 % 3 - 1, dx = (k + 13) / 9 - 1;
-            const mus__box_slot *slot = k > 0 ? grid_find(grid, grid->key[c] + grid_key(dx, dy, dz)) : NULL;
-            const int32_t other = slot != NULL ? slot->cell : c;
-            if (other == MUS_NONE) continue;
-            for (int32_t i = first; i < end; i++)
-                grid_meet(grid, i, k > 0 ? grid->start[other] : i + 1, grid->start[other + 1], reach, NULL, fn, user);
+    const int32_t cells = n > 0 ? grid_sort(grid, first, n, reach) : 0;
+    int32_t *const others = grid->of; /* of each cell, where those from `first` on start: they are sorted by number */
+    for (int32_t c = 0; c < cells; c++)
+        for (others[c] = grid->start[c]; others[c] < grid->start[c + 1] && grid->item[others[c]] < first;) others[c]++;
+    for (int32_t c = 0; c < cells; c++)
+        for (int32_t k = 0; k < 27 && others[c] > grid->start[c]; k++) {
+            const int32_t other = grid_beside(grid, c, k);
+            if (other == MUS_NONE || others[other] == grid->start[other + 1]) continue;
+            for (int32_t i = grid->start[c]; i < others[c]; i++)
+                grid_meet(grid, i, others[other], grid->start[other + 1], reach, fn, user);
         }
-    }
 }

@@ -141,6 +141,6 @@ int64_t mus__crossing_count(mus__box_grid *grid, int32_t n, const int32_t *trian
             grid->box[6 * t + 3 + d] = (float)(high + CROSSING_ROUND * fabs(high));
         }
     crossing_search search = {triangle, class_of, x, fn, user, 0};
-    mus__box_grid_pairs(grid, n, 0.0f, NULL, crossing_pair, &search);
+    mus__box_grid_pairs(grid, n, 0.0f, crossing_pair, &search);
     return search.count;
 }

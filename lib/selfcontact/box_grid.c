@@ -65,21 +65,20 @@ static mus__box_slot *grid_find(const mus__box_grid *grid, int64_t key)
 }
 
 
-/* the first n boxes sorted by cells of `reach` and half of the largest box before `first` and from it on: centres of
- * boxes that meet are no farther apart. Returns the number of cells */
-static int32_t grid_sort(mus__box_grid *grid, int32_t first, int32_t n, float reach)
+/* the first n boxes sorted by cells of `reach` and the largest box: centres of boxes that meet are no farther apart.
+ * Returns the number of cells */
+static int32_t grid_sort(mus__box_grid *grid, int32_t n, float reach)
 {
-    float low[3] = {3e38f, 3e38f, 3e38f}, widest[2] = {GRID_LEAST, GRID_LEAST}, far = 0.0f;
+    float low[3] = {3e38f, 3e38f, 3e38f}, widest = GRID_LEAST, far = 0.0f;
     for (int32_t i = 0; i < n; i++)
         for (int32_t d = 0; d < 3; d++) {
             const float a = grid->box[6 * (int64_t)i + d], b = grid->box[6 * (int64_t)i + 3 + d];
             if (a < low[d]) low[d] = a;
-            if (b - a > widest[i < first]) widest[i < first] = b - a;
+            if (b - a > widest) widest = b - a;
             if (b > far) far = b;
             if (-a > far) far = -a;
         }
-    if (first == n) widest[0] = widest[1]; /* each with each */
-    const float size = 0.5f * (widest[0] + widest[1]) + reach + GRID_ROUND * far;
+    const float size = widest + reach + GRID_ROUND * far;
 
     /* which cell each box is in, how many there are in each */
     int32_t cells = 0;
@@ -138,28 +137,12 @@ static int32_t grid_beside(const mus__box_grid *grid, int32_t c, int32_t k)
 
 void mus__box_grid_pairs(mus__box_grid *grid, int32_t n, float reach, mus__box_pair_fn fn, void *user)
 {
-    const int32_t cells = n > 0 ? grid_sort(grid, n, n, reach) : 0;
+    const int32_t cells = n > 0 ? grid_sort(grid, n, reach) : 0;
     for (int32_t c = 0; c < cells; c++)
         for (int32_t k = 13; k < 27; k++) { /* itself, and those ahead of it in the order of x, y, z */
             const int32_t other = k > 13 ? grid_beside(grid, c, k) : c;
             if (other == MUS_NONE) continue;
             for (int32_t i = grid->start[c]; i < grid->start[c + 1]; i++)
                 grid_meet(grid, i, other != c ? grid->start[other] : i + 1, grid->start[other + 1], reach, fn, user);
-        }
-}
-
-
-void mus__box_grid_between(mus__box_grid *grid, int32_t first, int32_t n, float reach, mus__box_pair_fn fn, void *user)
-{
-    const int32_t cells = n > 0 ? grid_sort(grid, first, n, reach) : 0;
-    int32_t *const others = grid->of; /* of each cell, where those from `first` on start: they are sorted by number */
-    for (int32_t c = 0; c < cells; c++)
-        for (others[c] = grid->start[c]; others[c] < grid->start[c + 1] && grid->item[others[c]] < first;) others[c]++;
-    for (int32_t c = 0; c < cells; c++)
-        for (int32_t k = 0; k < 27 && others[c] > grid->start[c]; k++) {
-            const int32_t other = grid_beside(grid, c, k);
-            if (other == MUS_NONE || others[other] == grid->start[other + 1]) continue;
-            for (int32_t i = grid->start[c]; i < others[c]; i++)
-                grid_meet(grid, i, others[other], grid->start[other + 1], reach, fn, user);
         }
 }

@@ -2,10 +2,9 @@
  * box_grid.h: which boxes of many are near each other: a grid of cells in a hash table. Broad phase of the exact count
  * of crossings (crossing_count.h), at some tens of nanoseconds a triangle.
  *
- * Boxes are floats, rounded outward by the caller. A cell is as wide as the reach and the halves of the two largest
- * boxes that may be partners, a box is in the cell of its centre, so partners are in the same cell or in one of the 26
- * around it. Cells are in the order in which boxes, by number, first come to them: the order of pairs depends on
- * places alone.
+ * Boxes are floats, rounded outward by the caller. A cell is as wide as the largest box and the reach, a box is in the
+ * cell of its centre, so partners are in the same cell or in one of the 26 around it. Cells are in the order in which
+ * boxes, by number, first come to them: the order of pairs depends on places alone.
  */
 #ifndef MUS_SELFCONTACT_BOX_GRID_H
 #define MUS_SELFCONTACT_BOX_GRID_H
@@ -34,7 +33,5 @@ mus_status mus__box_grid_create(mus_context *context, int32_t capacity, mus__box
 void mus__box_grid_destroy(mus_context *context, mus__box_grid *grid);
 /* fn(user, a, b), a < b, for every two of the first n boxes that are at most `reach` apart along each axis */
 void mus__box_grid_pairs(mus__box_grid *grid, int32_t n, float reach, mus__box_pair_fn fn, void *user);
-/* the same for every one before `first` with every one from it on */
-void mus__box_grid_between(mus__box_grid *grid, int32_t first, int32_t n, float reach, mus__box_pair_fn fn, void *user);
 
 #endif

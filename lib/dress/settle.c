@@ -20,7 +20,8 @@
  *
  * Where cloth lies on cloth, a step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple by
  * that distance, and forces with them. The mean is then taken over a time, not over a number of steps, and a residual
- * that no longer falls halves the step. A cloth that lies still with force left halves it too. When little force is
+ * that no longer falls halves the step, and at the smallest step doubles the time of the mean, over which what trembles
+ * averages out. A cloth that lies still with force left halves it too. When little force is
  * left and the cloth still drifts, the step is doubled again. A cloth that is caught on a hook (much force left, none
  * lost, no drift, the smallest step) is given up early.
  *
@@ -52,6 +53,7 @@
 #define CHECK_STEPS_MOST 512
 #define MEAN_STEPS 96     /* steps averaged before a check: all of them, since a sample would alias with ripples */
 #define MEAN_SECONDS 0.05 /* [s] averaged instead where cloth lies on cloth */
+#define LONGEST_CHECK 8   /* times as long, both, at most, where cloth trembles on cloth with the smallest step */
 
 /* the step, as a share of the bound of symplectic Euler */
 #define SAFETY_STEP 0.75  /* the largest */
@@ -112,6 +114,7 @@ typedef struct lying {
     double way, quiet; /* farthest distance of a mean place from where it began to lie still [m]; for how long [s] */
     double best;       /* least residual since the step was halved */
     double safety;     /* share of the bound, for the steps */
+    int32_t longer;    /* a check takes so many times CHECK_SECONDS: what trembles averages out */
     int32_t still;     /* checks with force left and nothing gained */
     int32_t stuck;     /* checks caught on a hook */
     int32_t parted;    /* checks with frozen nodes */
@@ -220,6 +223,9 @@ static void choose_safety(const mus_drape *drape, const settling *goal, double t
         now->safety *= 0.5;
         now->still = 0;
         now->best = residual;
+    } else if (now->still >= patience && ripples && now->longer < LONGEST_CHECK) {
+        now->longer *= 2;
+        now->still = 0;
     }
     const bool caught = residual > RIPPLE_FAR * goal->residual && now->drift <= goal->drift && now->safety <= least;
     now->stuck = caught && !gives && !gains ? now->stuck + 1 : 0;
@@ -282,7 +288,8 @@ static lying lie_down(mus_drape *drape, double fall)
     settle_keep(drape, drape->x, relax->anchor);
     relax->residual = mus__residual(drape, drape->x, NULL);
     settle_keep(drape, relax->force, relax->left);
-    return (lying){.drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = relax->residual};
+    return (lying){
+        .drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = relax->residual, .longer = 1};
 }
 
 
@@ -312,10 +319,10 @@ static mus_status settle_batch(mus_drape *drape, mus__progress *run, const settl
     memcpy(rule.gravity, drape->def.gravity, sizeof rule.gravity);
     const double h = now->h = mus__relax_step(drape, now->safety, 0.0);
     const double most = now->tensors ? CHECK_STEPS_MOST * SAFETY_STEP / now->safety : 1e6;
-    int32_t batch = (int32_t)fmin(fmax(CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
+    int32_t batch = (int32_t)fmin(fmax(now->longer * CHECK_SECONDS / h, 2.0 * MEAN_STEPS), most);
     mus_status status = mus__relax_ready(drape, &rule, h);
     if (status != MUS_OK) return status;
-    const double mean = on_cloth(drape) ? fmin(fmax(MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;
+    const double mean = on_cloth(drape) ? fmin(fmax(now->longer * MEAN_SECONDS / h, MEAN_STEPS), batch) : MEAN_STEPS;
     status = mus__relax_run(drape, run, h, &batch, (int32_t)mean);
     if (status != MUS_OK) return status;
     mus__drape_tick(drape, batch, h, 1);

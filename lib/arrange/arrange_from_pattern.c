@@ -3,7 +3,8 @@
  * sides.
  *
  * Up is as drawn, except on an arm, where it is the direction from the hand to the panel that the sleeve is sewn to, by
- * quarter turns: a sleeve may be drawn along the arm or across it.
+ * quarter turns: a sleeve may be drawn along the arm or across it. A collar or hood that is drawn with the edge to the
+ * neck above stands on its head: flat collars are drawn as they lie.
  */
 #include <math.h>
 #include <string.h>
@@ -83,7 +84,7 @@ static void read_turn(mus__arrangement *arrangement, mus__arranged_panel *panel)
 
 
 /* out (2) gets the vector from the edges of a panel that are sewn to panels with a known up to its middle, as drawn but
- * seen from outside; false without such edges */
+ * seen from outside; other panels of the neck tell a panel of the neck nothing. False without such edges */
 static bool read_down(const mus__arrangement *arrangement, int32_t p, double *out)
 {
     const mus__arranged_panel *panel = &arrangement->panel[p];
@@ -96,7 +97,8 @@ static bool read_down(const mus__arrangement *arrangement, int32_t p, double *ou
             const mus__arranged_seam *own = &arrangement->seam[seam];
             other = arrangement->edge[own->a == panel->edge[i] ? own->b : own->a].panel;
         }
-        const bool anchor = other != MUS_NONE && other != p && arrangement->panel[other].turned;
+        const bool anchor = other != MUS_NONE && other != p && arrangement->panel[other].turned &&
+                            (panel->limb == MUS__ARRANGE_ARM || arrangement->panel[other].limb != panel->limb);
         for (int32_t k = 0; k < MUS__ARRANGE_DOTS; k++)
             for (int32_t d = 0; d < 2; d++) {
                 const double x = (d == 0 ? panel->sign : 1.0) * edge->dot[2 * k + d];
@@ -129,6 +131,17 @@ static void read_arms(mus__arrangement *arrangement)
         }
         for (int32_t i = 0; i < n; i++) arrangement->panel[now[i]].turned = 1;
     } while (n > 0);
+}
+
+
+/* turns collars and hoods that are drawn with the edge to the neck above, so that they stand on it */
+static void read_necks(mus__arrangement *arrangement)
+{
+    for (int32_t p = 0; p < arrangement->npanel; p++) {
+        double up[2];
+        mus__arranged_panel *panel = &arrangement->panel[p];
+        if (panel->limb == MUS__ARRANGE_NECK && read_down(arrangement, p, up) && up[1] < 0.0) panel->turn[0] = -1.0;
+    }
 }
 
 
@@ -223,6 +236,7 @@ mus_status mus__arrange_read(mus__arrangement *arrangement)
     }
     if (status != MUS_OK) return status;
     read_arms(arrangement);
+    read_necks(arrangement);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_turn(arrangement, &arrangement->panel[p]);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_halter(arrangement, p);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_fan(arrangement, p);

@@ -12,7 +12,7 @@
 
 static const struct {
     const char *design, *size;
-    double most; /* of the mean distance of partners where the design puts them */
+    double most;  /* of the mean distance of partners where the design puts them */
     int overlaps; /* nonzero: one front lies over the other, so that it is not symmetric */
 } garments[] = {{"tshirt", "W40", 1.05, 0},
                 {"oxford_shirt", "W40", 1.05, 1},
@@ -24,7 +24,9 @@ static const struct {
                 {"sheath", "W40", 1.05, 0},
                 {"maxi_halter", "W46", 1.5, 0},
                 {"child_half_short", "C116", 1.5, 0},
-                {"boiler_suit", "M50", 1.5, 0}};
+                {"boiler_suit", "M50", 1.5, 0},
+                {"blouse_shawl_three_quarter", "W40", 1.05, 0},
+                {"blouse_shawl_three_quarter", "C92", 1.05, 0}};
 enum { GARMENTS = sizeof garments / sizeof *garments };
 
 typedef struct start {
@@ -182,8 +184,8 @@ START_TEST(a_symmetric_garment_starts_symmetric)
     for (int32_t i = 0; i < n; i++) {
         double least = 1.0;
         for (int32_t k = 0; k < n; k++)
-            least = fmin(least, hypot(hypot(x[3 * i] + x[3 * k], x[3 * i + 1] - x[3 * k + 1]),
-                                      x[3 * i + 2] - x[3 * k + 2]));
+            least = fmin(least,
+                         hypot(hypot(x[3 * i] + x[3 * k], x[3 * i + 1] - x[3 * k + 1]), x[3 * i + 2] - x[3 * k + 2]));
         ck_assert_msg(least < 1e-5, "%s: %.3f mm from the mirror image", garments[_i].design, 1e3 * least);
     }
     free(x);

@@ -87,6 +87,8 @@ void mus__collider_destroy(mus__collider *collider);
  * were in a step of `h` [s], the translation with velocity `drift` (3) [m/s]; h 0: they are at rest there */
 void mus__collider_move(mus__collider *collider, const mus__frame *frame, const double *shift, const double *drift,
                         double h);
+/* puts the fields and the box of part l where its frame has it */
+void mus__collider_place(mus__collider *collider, int32_t l);
 /* adds a plane at rest: MUS_ERR_LIMIT, MUS_ERR_MEMORY */
 mus_status mus__collider_add_plane(mus__collider *collider, const double *point, const double *normal, double friction,
                                    double reach);

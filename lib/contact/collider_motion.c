@@ -32,8 +32,7 @@ static void part_box(const mus__collider_part *home, const mus__field_f64 *field
 }
 
 
-/* puts the fields and the box of part l to its place */
-static void place_part(mus__collider *collider, int32_t l)
+void mus__collider_place(mus__collider *collider, int32_t l)
 {
     const mus__collider_part *home = &collider->part[l];
     mus__field_f64 *wide = &collider->field64[l];
@@ -146,7 +145,7 @@ void mus__collider_move(mus__collider *collider, const mus__frame *frame, const 
             motion_of_part(collider, &was, &collider->frame[l], collider->drift, h, &collider->motion[l]);
     }
     collider->turned = frame != NULL;
-    for (int32_t l = 0; l < collider->nparts; l++) place_part(collider, l);
+    for (int32_t l = 0; l < collider->nparts; l++) mus__collider_place(collider, l);
     if (collider->moving != MUS__TRANSLATED || collider->nparts == 0) return;
     memset(collider->motion, 0, sizeof *collider->motion);
     for (int32_t i = 0; i < 3; i++) {

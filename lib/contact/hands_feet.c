@@ -20,19 +20,13 @@ void mus__collider_spread(mus__collider *collider, bool spread)
                 box[d] = spread ? low : high, box[3 + d] = spread ? high : low;
             }
         }
-        if (surface->part[l].foot || !surface->part[l].digits) continue;
-        mus__field_f64 to64 = spread ? surface->field64[l] : surface->slim64[l];
-        mus__field_f32 to32 = spread ? surface->field32[l] : surface->slim32[l];
-        const mus__field_f64 *now64 = &collider->field64[l];
-        const mus__field_f32 *now32 = &collider->field32[l];
-        for (int32_t i = 0; i < 3; i++) {
-            to64.origin[i] = now64->origin[i], to64.axis[i] = now64->axis[i];
-            to64.side[i] = now64->side[i], to64.front[i] = now64->front[i];
-            to32.origin[i] = now32->origin[i], to32.axis[i] = now32->axis[i];
-            to32.side[i] = now32->side[i], to32.front[i] = now32->front[i];
-        }
-        collider->field64[l] = to64;
-        collider->field32[l] = to32;
+        if (surface->part[l].foot || (!surface->part[l].digits && surface->part[l].stump == 0.0)) continue;
+        collider->field64[l] = spread ? surface->field64[l] : surface->slim64[l];
+        collider->field32[l] = spread ? surface->field32[l] : surface->slim32[l];
+        collider->part[l].end[0] = surface->part[l].end[0];
+        if (!spread && surface->part[l].stump > 0.0)
+            collider->part[l].end[0] = collider->field64[l].s0 - surface->part[l].stump;
+        mus__collider_place(collider, l);
     }
 }
 

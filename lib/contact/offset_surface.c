@@ -18,6 +18,8 @@
 #define OFFSET_LANES 16        /* columns side by side: two lines of the cache */
 #define OFFSET_SAFE                                                                                                    \
     0.5 /* of the least radius: the skin that is nearest to a node no deeper than this is the one it passed */
+/* heights of its first ring over the floor that a stump is long; chosen: at the floor it is nine tenths as wide */
+#define OFFSET_STUMP 2.3
 #define OFFSET_FAR 1e30 /* [m] beyond every radius */
 
 /* columns of a table that are worked out side by side, a lane each: their directions in the contour's plane, and the
@@ -199,16 +201,23 @@ static void fill_double(const mus__field *from, double offset, double *scratch, 
 }
 
 
-/* the same rounded to float */
-static void fill_float(const mus__field_f64 *from, mus__field_f32 *to, float *table)
+/* the caps rounded to float */
+static void fill_caps(const mus__field_f64 *from, mus__field_f32 *to)
 {
-    const int64_t nring = from->nring, nradius = nring * from->nangle, total = 3 * nring + nradius;
     for (int32_t end = 0; end < 2; end++) {
         to->pole[end] = (float)from->pole[end];
         to->middle[end] = (float)from->middle[end];
         to->axis_inverse[end] = (float)from->axis_inverse[end];
         to->share[end] = (float)from->share[end];
     }
+}
+
+
+/* the same rounded to float */
+static void fill_float(const mus__field_f64 *from, mus__field_f32 *to, float *table)
+{
+    const int64_t nring = from->nring, nradius = nring * from->nangle, total = 3 * nring + nradius;
+    fill_caps(from, to);
     to->s0 = (float)from->s0;
     to->ds_inverse = (float)from->ds_inverse;
     to->ring_last = (float)from->ring_last;
@@ -257,6 +266,24 @@ static void fill_part(const mus__field *from, const mus__limb *limb, mus__offset
 }
 
 
+/* the stump of a leg that a foot is on, as the field has it while garments are put on: the leg goes on through the
+ * floor, so that a trouser leg stays open below the ankle, and the foot comes into it from above */
+static void fill_stump(const mus_body *body, int32_t l, mus__offset_surface *surface)
+{
+    const mus__part *part = &body->rig.part[l];
+    const int32_t foot = part->limb + MUS__LIMB_FOOT_LEFT - MUS__LIMB_LEG_LEFT;
+    const bool leg = part->limb >= MUS__LIMB_LEG_LEFT && part->limb < MUS__LIMB_FOOT_LEFT;
+    if (!body->measured || !leg || body->limb[foot].gone || (l > 0 && body->rig.part[l - 1].limb == part->limb)) return;
+    const double length = surface->part[l].stump = OFFSET_STUMP * body->field[l].s0;
+    mus__field_f64 *to = &surface->slim64[l];
+    to->pole[0] = -length;
+    to->middle[0] = 0.0;
+    to->axis_inverse[0] = 1.0 / length;
+    to->share[0] = 1.0;
+    fill_caps(to, &surface->slim32[l]);
+}
+
+
 /* everything of a surface whose context and offset are set */
 static mus_status offset_make(mus__offset_surface *surface, const mus_body *body)
 {
@@ -294,6 +321,7 @@ static mus_status offset_make(mus__offset_surface *surface, const mus_body *body
             surface->field32[l] = surface->slim32[l];
         }
         fill_part(&field, &body->limb[body->rig.part[l].limb], &surface->part[l]);
+        fill_stump(body, l, surface);
     }
     mus__free(context, scratch);
     return status;

@@ -20,6 +20,8 @@ typedef struct mus__offset_part {
     double safe;                   /* a node that moves no further in a step cannot pass through this part [m] */
     bool foot;                     /* of a body made from a tape */
     bool digits;                   /* its field is widened over fingers or toes (digit_cover.c) */
+    double stump;                  /* of a leg above a foot: how far it goes on below its first ring while garments are
+                                    * put on [m]; 0: of other parts */
     int32_t ends;                  /* free ends of a hand: its own and those of its fingers; 0: it has none */
     double end_axis[MUS__ENDS][6]; /* from root to tip: s from the first ring, a, b of both [m] */
 } mus__offset_part;
@@ -32,7 +34,7 @@ typedef struct mus__offset_surface {
     double offset;           /* distance off the skin [m] */
     mus__field_f64 *field64; /* (nparts) fields without a place: origin and directions are not set */
     mus__field_f32 *field32; /* (nparts) the same rounded */
-    mus__field_f64 *slim64;  /* (nparts) the same without fingers and toes */
+    mus__field_f64 *slim64;  /* (nparts) the same as garments are put on: without fingers and toes, and with stumps */
     mus__field_f32 *slim32;  /* (nparts) */
     mus__offset_part *part;  /* (nparts) */
     double *table64;         /* centres, radii and maxima of all fields */

@@ -1,12 +1,14 @@
 /*
  * test_hands_feet.c: what the body is drawn with is what cloth meets: fingers and toes lie in the touched surface,
  * cloth comes off a finger that goes through it, a foot comes into a trouser leg from above, and the triangles of a
- * garment at rest are off the skin as its nodes are.
+ * garment at rest are off the skin as its nodes are. Legs go on through the floor while garments are put on, so that
+ * trousers of people of all shapes stay round their ankles.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "body/body_internal.h"
 #include "contact/hands_feet.h"
 #include "drape/drape_state.h"
 #include "drape/worn.h"
@@ -66,7 +68,11 @@ START_TEST(digits_lie_in_what_cloth_touches)
     for (int32_t i = 0; i < mus_body_vertex_count(w.body); i++)
         ck_assert_double_ge(mus__collider_body_depth(collider, x + 3 * i, 0.1, NULL), -CLEARANCE);
 
-    /* while a garment is put on feet are away and hands slim; then they are as they were, to the last bit */
+    /* while a garment is put on feet are away, hands slim, and legs go on through the floor, nine tenths as wide there
+     * as at the ankle; then all are as they were, to the last bit */
+    const mus__contour *ankle = &w.body->limb[MUS__LIMB_LEG_LEFT].contour[0];
+    const double aside = w.body->limb[MUS__LIMB_LEG_LEFT].origin[0] + ankle->ca + 0.85 * ankle->a;
+    const double floor[3] = {aside, 0.001, -ankle->cb}, bare = mus__collider_body_depth(collider, floor, 0.1, NULL);
     double before = 0.0, slim = 0.0, after = 0.0, end[6 * ENDS];
     mus__collider_ends(collider, ENDS, end);
     const uint64_t feet = mus__collider_feet(collider);
@@ -76,7 +82,9 @@ START_TEST(digits_lie_in_what_cloth_touches)
     for (int32_t k = 0; k < ENDS; k++) slim += mus__collider_body_depth(collider, end + 6 * k + 3, 0.1, NULL);
     const double low[3] = {-1.0, 0.0, -1.0}, high[3] = {1.0, 0.01, 1.0};
     ck_assert_uint_eq(mus__collider_parts_near(collider, low, high, 0.0) & feet, 0);
+    ck_assert_double_gt(mus__collider_body_depth(collider, floor, 0.1, NULL), 0.0);
     mus__collider_spread(collider, true);
+    ck_assert_double_eq(mus__collider_body_depth(collider, floor, 0.1, NULL), bare);
     for (int32_t k = 0; k < ENDS; k++) after += mus__collider_body_depth(collider, end + 6 * k + 3, 0.1, NULL);
     ck_assert_uint_eq(mus__collider_parts_near(collider, low, high, 0.0) & feet, feet);
     ck_assert_double_lt(slim, before);
@@ -196,6 +204,48 @@ START_TEST(triangles_are_off_the_skin)
 END_TEST
 
 
+typedef struct ankle_row {
+    const char *design;
+    int32_t sex;
+    double measure[4]; /* stature, bust, waist, hip [m] */
+} ankle_row;
+
+/* a wide leg on a thin ankle, a tapered one on a stout ankle, a band of rib round it */
+static const ankle_row ankle_rows[] = {{"pyjama_trousers", MUS_SEX_MALE, {2.00, 0.86, 0.70, 0.86}},
+                                       {"jumpsuit_strapless_tapered", MUS_SEX_FEMALE, {1.65, 1.20, 1.30, 1.12}},
+                                       {"harem_trousers", MUS_SEX_FEMALE, {1.65, 0.84, 0.72, 1.25}}};
+
+
+/* trousers of people of all shapes: at the first start both legs are in their trouser legs */
+START_TEST(trouser_legs_stay_round_the_ankles)
+{
+    static const int32_t measure[] = {MUS_MEASURE_STATURE, MUS_MEASURE_BUST, MUS_MEASURE_WAIST, MUS_MEASURE_HIP};
+    const ankle_row *row = &ankle_rows[_i];
+    worn w = {.context = support_context()};
+    ck_assert_int_eq(mus_tape_create(w.context, &w.tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_sex(w.tape, row->sex), MUS_OK);
+    for (int32_t m = 0; m < 4; m++)
+        ck_assert_int_eq(mus_tape_set(w.tape, measure[m], row->measure[m], MUS_SOURCE_GIVEN), MUS_OK);
+    ck_assert_int_eq(mus_tape_complete(w.tape), MUS_OK);
+    ck_assert_int_eq(mus_body_create(w.context, w.tape, NULL, &w.body), MUS_OK);
+    worn_put_on_design(&w, row->design, NULL);
+    mus_dress_def def;
+    mus_dress_report report;
+    mus_worn how;
+    mus_dress_def_init(&def, sizeof def);
+    mus_dress_report_init(&report, sizeof report);
+    mus_worn_init(&how, sizeof how);
+    def.spacing = 0.02, def.self_contact = 1;
+    ck_assert_msg(mus_dress(w.context, w.pattern, w.body, &def, &report, NULL, &w.cloth, &w.drape) == MUS_OK, "%s",
+                  mus_context_error(w.context));
+    ck_assert_int_eq(report.starts, 1);
+    ck_assert_int_eq(mus_fit_worn(w.drape, w.pattern, w.body, &how), MUS_OK);
+    ck_assert_msg(how.kind == MUS_WORN_YES, "%s", how.text);
+    worn_end(&w);
+}
+END_TEST
+
+
 Suite *mus_suite_hands_feet(void)
 {
     Suite *suite = suite_create("hands_feet");
@@ -205,6 +255,7 @@ Suite *mus_suite_hands_feet(void)
     tcase_add_loop_test(tests, cloth_comes_off_a_finger, 0, ENDS);
     tcase_add_test(tests, a_foot_comes_in_from_above);
     tcase_add_loop_test(tests, triangles_are_off_the_skin, 0, sizeof clear_rows / sizeof clear_rows[0]);
+    tcase_add_loop_test(tests, trouser_legs_stay_round_the_ankles, 0, sizeof ankle_rows / sizeof ankle_rows[0]);
     suite_add_tcase(suite, tests);
     return suite;
 }

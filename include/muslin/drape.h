@@ -292,13 +292,13 @@ MUS_API mus_status mus_drape_depth(const mus_drape *drape, int32_t n, const doub
 /** What a progress function is told. The arrays are borrowed until it returns. */
 typedef struct mus_progress {
     size_t size;
-    const char *phase;        /* "sew" or "settle" */
-    double progress;          /* share of the phase that is done, 0..1 */
-    int32_t coarse;           /* nonzero: a coarser cut moves now (mus_cloth_def.coarser); 0: the cloth itself */
-    int32_t nodes;            /* of the cut that moves */
-    int32_t triangles;        /* of that cut */
-    const double *positions;  /* (nodes x 3) [m]; welded nodes share their position */
-    const int32_t *triangle;  /* (triangles x 3) corners */
+    const char *phase;       /* "sew" or "settle" */
+    double progress;         /* share of the phase that is done, 0..1 */
+    int32_t coarse;          /* nonzero: a coarser cut moves now (mus_cloth_def.coarser); 0: the cloth itself */
+    int32_t nodes;           /* of the cut that moves */
+    int32_t triangles;       /* of that cut */
+    const double *positions; /* (nodes x 3) [m]; welded nodes share their position */
+    const int32_t *triangle; /* (triangles x 3) corners */
 } mus_progress;
 
 /** Called during mus_drape_sew() and mus_drape_settle() once in def.progress_seconds of wall time at most. A value
@@ -325,19 +325,17 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * Let the cloth come to rest under gravity, on coarser cuts first when it is far from rest.
  *
  * At rest: at the mean place of the last steps (where cloth lies on cloth, of the last 0.05 s) the residual is below
- * settle_residual, and no node's mean place moves faster than 2 mm/s. Or: for half a second no node has moved 0.1 mm or
- * been so far from its mean place, and the residual of the nodes that touch neither skin nor plane nor cloth is below
- * settle_residual. (The contact forces on a node wedged between surfaces cannot be recovered from its place.) Where
- * cloth presses a node more than 0.7 mm into the body, its thickness yields, down to a quarter, until it is out. Nodes
- * stay off the skin by the clearance and by what the triangles between them need to be off it too; the skin shows
- * through no triangle by more than some tenths of a millimetre, unless it is held there.
- * Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED (by `progress`), MUS_ERR_DIVERGED,
- *         MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY)
- * Memory: the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first
- *         settle 25 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function
- *         6 doubles a node during the call
- * Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3 x 3 bound of its
- *         stiffness
+ * settle_residual, and no node's mean place moves faster than 2 mm/s. Of a node that touches skin, plane or cloth no
+ * more force counts than moved it in those steps: what springs leave there is only as exact as the normals of the
+ * contacts, and a node wedged between surfaces bears thousands of its weight. Where cloth presses a node more than 0.7
+ * mm into the body, its thickness yields, down to a quarter, until it is out. Nodes stay off the skin by the clearance
+ * and by what the triangles between them need to be off it too; the skin shows through no triangle by more than some
+ * tenths of a millimetre, unless it is held there. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED
+ * (by `progress`), MUS_ERR_DIVERGED, MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY) Memory:
+ * the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first settle
+ * 25 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles a
+ * node during the call Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3
+ * x 3 bound of its stiffness
  */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 

@@ -58,17 +58,17 @@ MUS_API void mus_dress_def_init(mus_dress_def *def, size_t size);
 /** What mus_dress() did. */
 typedef struct mus_dress_report {
     size_t size;
-    int32_t found;         /* nonzero: the garment started from the found placement */
-    int32_t starts;        /* number of starts that were tried */
-    int32_t kept;          /* the start that is returned, MUS_NONE when none was tried */
+    int32_t found;                                /* nonzero: the garment started from the found placement */
+    int32_t starts;                               /* number of starts that were tried */
+    int32_t kept;                                 /* the start that is returned, MUS_NONE when none was tried */
     int32_t start_place[MUS_DRESS_STARTS_MOST];   /* of each start: MUS_DRESS_PLACE_PATTERN, _FOUND or _RAISED */
     int32_t start_patient[MUS_DRESS_STARTS_MOST]; /* nonzero: all ways of sewing were tried; 0: the first one alone */
     int32_t start_end[MUS_DRESS_STARTS_MOST];     /* MUS_REASON_*: how it ended */
     double start_seconds[MUS_DRESS_STARTS_MOST];  /* wall time from cutting the cloth to its end [s] */
-    double place_seconds;  /* wall time of finding placements [s] */
-    double cut_seconds;    /* wall time of cutting the cloth, all starts together [s] */
-    double sew_seconds;    /* wall time of sewing, all starts together [s] */
-    double settle_seconds; /* wall time of settling, all starts together [s] */
+    double place_seconds;                         /* wall time of finding placements [s] */
+    double cut_seconds;                           /* wall time of cutting the cloth, all starts together [s] */
+    double sew_seconds;                           /* wall time of sewing, all starts together [s] */
+    double settle_seconds;                        /* wall time of settling, all starts together [s] */
 } mus_dress_report;
 
 /** Zero `report` and write its size. */
@@ -86,7 +86,8 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * patience is slow, and settling too, each placement is first sewn in one way only, and not settled when a limb is not
  * in its opening then or goes through the cloth, or cloth crosses cloth. Where none succeeds so, starts with crossings
  * are settled all the same, the fewest first and while they have fewer than another has at rest; and where none got
- * through settling, those with an open seam are sewn in all ways. The first success ends the search; when none
+ * through settling, those with an open seam are sewn in all ways. A start whose settle ends with its forces balanced
+ * while the cloth still drifts is settled once more, for it is on its way. The first success ends the search; when none
  * succeeds, the result is the one that got farthest: not at rest, tangled (with the fewest crossings), not worn, slid
  * off, a seam open, in this order.
  *

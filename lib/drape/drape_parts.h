@@ -36,7 +36,7 @@ typedef struct mus__relaxation {
     double *mean;   /* (n x 3) mean place of the last steps; head of a block of six arrays, NULL before the first use */
     double *before; /* (n x 3) mean place at the check before */
     double *left;   /* (n x 3) force left at the check before [N] */
-    double *anchor; /* (n x 3) mean place where the cloth began to lie still */
+    double *moving; /* (n x 3) force that moved each node in the mean of the last steps [N] */
     double *inertia;           /* (n x 6) inertia tensors of the last steps: xx, yy, zz, xy, yz, zx [kg] */
     double *bending;           /* (n) scratch: stiffness that is equal in all directions [N/m] */
     void *tensor;              /* (7 n) inverse tensors and masses, in the sim's precision (sim.h) */

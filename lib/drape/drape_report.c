@@ -89,7 +89,7 @@ mus_status mus_drape_report_get(const mus_drape *drape, mus_drape_report *out)
     report.max_seam_gap = mus__weld_gap(drape, &report.worst_seam);
     report.max_penetration = deepest(drape);
     report.max_strain = mus__program_strain(&drape->program, drape->x);
-    report.residual = isnan(drape->relax.residual) ? mus__residual(drape, drape->x, NULL) : drape->relax.residual;
+    report.residual = isnan(drape->relax.residual) ? mus__residual(drape, drape->x) : drape->relax.residual;
 
     report.energy = mus__program_force(&drape->program, drape->n, drape->x, NULL);
     for (int32_t i = 0; i < drape->n; i++) {

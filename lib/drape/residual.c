@@ -1,5 +1,10 @@
 /*
  * residual.c: the force that springs, gravity, contact and friction leave at each node, over the node's weight.
+ *
+ * What the skin carries is worked out from the place of a node: pushes along the normals there, and friction of
+ * Coulomb. Steps met a plane that may lie a degree off, and a node wedged between surfaces may bear thousands of its
+ * weight, of which a degree leaves many. Newton's law tells what all contacts together have left of it in the last
+ * steps: inertia times mean acceleration, and what drag took. So a node that touches has the lesser of the two left.
  */
 #include <math.h>
 #include <string.h>
@@ -8,6 +13,7 @@
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
+#include "geom/vec.h"
 #include "sim/force_reference.h"
 
 #define LEFT_MUCH 0.02 /* of a node's weight: with more force left, the surfaces beside the node are included */
@@ -97,11 +103,12 @@ void mus__drape_lift_clear(mus_drape *drape)
 }
 
 
-double mus__residual(const mus_drape *drape, const double *x, double *unheld)
+double mus__residual(const mus_drape *drape, const double *x)
 {
     const double *gravity = drape->def.gravity, g = length3(gravity);
-    double *f = drape->relax.force, sum = 0.0, free2 = 0.0;
-    int64_t count = 0, nfree = 0;
+    const double *moving = drape->relax.moving, allowed = drape->def.settle_residual;
+    double *f = drape->relax.force, sum = 0.0;
+    int64_t count = 0;
     mus__program_force(&drape->program, drape->n, x, f);
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
@@ -111,12 +118,11 @@ double mus__residual(const mus_drape *drape, const double *x, double *unheld)
         int32_t touches = mus__drape_self_force(drape, i, r);
         if (drape->scene.collider != NULL)
             touches |= carry_by_skin(drape, x + 3 * (int64_t)i, mus__drape_lift(drape, i), weight, r);
-        const double left2 = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) / (weight * weight);
+        double left2 = mus__dot3(r, r) / (weight * weight);
+        if (touches && left2 > allowed * allowed && x == drape->relax.mean)
+            left2 = fmin(left2, mus__dot3(moving + 3 * (int64_t)i, moving + 3 * (int64_t)i) / (weight * weight));
         sum += left2;
         count++;
-        free2 += touches ? 0.0 : left2;
-        nfree += !touches;
     }
-    if (unheld != NULL) *unheld = nfree > 0 ? sqrt(free2 / (double)nfree) : 0.0;
     return count > 0 ? sqrt(sum / (double)count) : 0.0;
 }

@@ -7,8 +7,9 @@
 #include "muslin/drape.h"
 
 /* rms over free nodes of the force that contact and friction leave at places x (n x 3), over the node's weight; the
- * forces go to relax.force. *unheld (may be NULL) gets the rms over the nodes that touch nothing */
-double mus__residual(const mus_drape *drape, const double *x, double *unheld);
+ * forces go to relax.force. At relax.mean, a node that touches anything has no more left than moved it (relax.moving)
+ */
+double mus__residual(const mus_drape *drape, const double *x);
 /* the residual that the rounding of a float state leaves in the mean place of many steps, by stepping.stiffness; and
  * whether a drape that lies flat has more of it than a settle allows (float_rounding.c) */
 double mus__residual_rounding(const mus_drape *drape);

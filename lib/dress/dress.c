@@ -19,8 +19,9 @@
  * fewest crossings first, and no one with more than another has at rest; where none got through settling, those that
  * ended with an open seam are sewn patiently; and the one that got farthest is returned, settled if it is sewn.
  *
- * A start whose garment comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin fails no
- * start, but a limb that goes through the cloth does. A body that the call cannot tell by fails none.
+ * A start whose settle ends while its cloth is still on its way is settled once more (dress_start.c). One whose garment
+ * comes to rest but is not worn (mus_fit_worn()) has failed too. Cloth through the skin fails no start, but a limb that
+ * goes through the cloth does. A body that the call cannot tell by fails none.
  *
  * Garments are made by public functions; of the drape's own header only the clock and the sizes of defs are used.
  */

@@ -214,13 +214,28 @@ static mus_status start_lower(mus__dress *call, mus__dress_start *start)
 }
 
 
+/* settle; and once more where the forces are balanced and the cloth still drifts, as long folds do: it is on its way,
+ * and nearer to rest than another start is */
+static mus_status start_settle(mus__dress *call, mus__dress_start *start)
+{
+    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    mus_drape_report report;
+    mus_drape_report_init(&report, sizeof report);
+    mus_status status = mus_drape_settle(start->drape, progress, call);
+    if (status != MUS_ERR_UNSETTLED || mus_drape_report_get(start->drape, &report) != MUS_OK) return status;
+    mus_drape_reason(start->drape, &start->reason);
+    const bool balanced = report.residual <= call->drape.settle_residual;
+    return balanced && start->reason.kind == MUS_REASON_NOT_SETTLED ? mus_drape_settle(start->drape, progress, call)
+                                                                    : status;
+}
+
+
 void mus__dress_settle(mus__dress *call, mus__dress_start *start)
 {
     const double time = mus__progress_time();
     start->waits = 0;
     start->status = start->raised != NULL ? start_lower(call, start) : MUS_OK;
-    if (start->status == MUS_OK)
-        start->status = mus_drape_settle(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
+    if (start->status == MUS_OK) start->status = start_settle(call, start);
     call->report.settle_seconds += mus__progress_time() - time;
     start_reason(start);
     if (start->status == MUS_OK) start->status = start_worn(call, MUS__WORN_OPENINGS | MUS__WORN_HANGS, true, start);

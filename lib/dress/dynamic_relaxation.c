@@ -15,6 +15,7 @@
 #include "drape/drape_state.h"
 #include "dress/dynamic_relaxation.h"
 #include "dress/sew.h"
+#include "sim/force_program_constants.h"
 
 #define ASK_STEPS 4      /* steps between two looks at the clock, which take a hundredth of their time at most */
 #define TENSOR_STEPS 128 /* steps between two takings of the inertia tensors; chosen: 5 to 10 % of the time */
@@ -32,8 +33,8 @@ mus_status mus__relax_create(mus_drape *drape)
     }
     drape->relax.before = drape->relax.mean + n3;
     drape->relax.left = drape->relax.before + n3;
-    drape->relax.anchor = drape->relax.left + n3;
-    drape->relax.inertia = drape->relax.anchor + n3;
+    drape->relax.moving = drape->relax.left + n3;
+    drape->relax.inertia = drape->relax.moving + n3;
     drape->relax.bending = drape->relax.inertia + 2 * n3;
     return MUS_OK;
 }
@@ -43,7 +44,7 @@ void mus__relax_clear(mus_drape *drape)
 {
     mus__free(drape->context, drape->relax.mean);
     mus__free(drape->context, drape->relax.tensor);
-    drape->relax.mean = drape->relax.before = drape->relax.left = drape->relax.anchor = NULL;
+    drape->relax.mean = drape->relax.before = drape->relax.left = drape->relax.moving = NULL;
     drape->relax.inertia = drape->relax.bending = NULL;
     drape->relax.tensor = NULL;
 }
@@ -98,6 +99,29 @@ static int32_t run_steps(mus_drape *drape, mus__progress *run, double h, int32_t
 }
 
 
+/* momentum over mass of each node and what drag has taken of it since it was at the origin, v + c x, with the factor
+ * `sign` into relax.moving: the difference over some time is the mean acceleration that all forces but drag gave */
+static void add_momentum(mus_drape *drape, double sign)
+{
+    mus__sim *sim = &drape->sim;
+    sim->ops->get(sim, drape->x, drape->v);
+    for (int64_t k = 0; k < 3 * (int64_t)drape->n; k++)
+        drape->relax.moving[k] =
+            (sign > 0.0 ? drape->relax.moving[k] : 0.0) + sign * (drape->v[k] + sim->drag * drape->x[k]);
+}
+
+
+/* relax.moving as the force [N] that moved each node in `seconds`: inertia times mean acceleration */
+static void mean_force(mus_drape *drape, double seconds)
+{
+    for (int32_t i = 0; i < drape->n; i++) {
+        const double inverse = mus__program_get(&drape->program, drape->sim.inverse, i) * seconds;
+        for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++)
+            drape->relax.moving[k] = inverse > 0.0 ? drape->relax.moving[k] / inverse : 0.0;
+    }
+}
+
+
 mus_status mus__relax_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps, int32_t averaged)
 {
     mus__sim *sim = &drape->sim;
@@ -108,10 +132,11 @@ mus_status mus__relax_run(mus_drape *drape, mus__progress *run, double h, int32_
         double *mean = drape->relax.mean;
         memset(mean, 0, (size_t)n3 * sizeof *mean);
         mus__drape_self_forget(drape);
+        add_momentum(drape, -1.0);
         *steps += run_steps(drape, run, h, averaged, mean);
         for (int64_t k = 0; k < n3; k++) mean[k] = mean[k] / averaged + sim->origin[k % 3];
     }
-    if (averaged > 0) sim->ops->get(sim, drape->x, drape->v);
+    if (averaged > 0) add_momentum(drape, 1.0), mean_force(drape, averaged * h);
     sim->tensor = NULL;
     const mus_status status = mus__drape_keep_good(drape);
     return status == MUS_OK ? mus__drape_self_fits(drape) : status;

@@ -13,10 +13,8 @@
  *   residual   the force that springs, gravity, contact and friction leave at a node over its weight, rms over nodes
  *   drift      the speed of the mean place from one check to the next, of the fastest node
  *
- * Two weaker rules end a settle as well. In float, where stiff cloth feels its own rounding: a residual within that
- * rounding and a slower drift. And: no node has moved for REST_SECONDS, and nodes that touch nothing have a small
- * residual. The contact forces on a node wedged between surfaces cannot be recovered from its place, so such nodes are
- * left out there. Energy never decides. A component that leaves its place on the body ends the run (slid_off.c).
+ * In float, where stiff cloth feels its own rounding, a residual within that rounding and a slower drift end a settle
+ * as well. Energy never decides. A component that leaves its place on the body ends the run (slid_off.c).
  *
  * Where cloth lies on cloth, a step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple by
  * that distance, and forces with them. The mean is then taken over a time, not over a number of steps, and a residual
@@ -85,9 +83,7 @@
 
 #define REST_DRIFT 0.002 /* [m/s] drift at rest */
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
-#define REST_WAY 1e-4    /* [m] a node that goes or strays no farther lies still */
-#define REST_SECONDS 0.5 /* [s] for which all nodes lie still, by the weaker rule of rest */
-#define LIFT_SECONDS 1.5    /* [s] of cloth time after the fall in which lifts are taken anew: then cloth lies nearly */
+#define LIFT_SECONDS 1.5 /* [s] of cloth time after the fall in which lifts are taken anew: then cloth lies nearly */
 #define ROUNDING_DRIFT 0.25 /* of the drift allowed, by the rule of rounding */
 
 /* a coarse cut gives the place, not the folds */
@@ -105,20 +101,18 @@ typedef struct settling {
 
 /* how the cloth lies, from check to check */
 typedef struct lying {
-    double drag;       /* from now on [1/s] */
-    double h;          /* step of the last batch [s] */
-    bool tensors;      /* that batch had inertia tensors */
-    double move;       /* farthest move of a mean place since the check before [m] */
-    double drift;      /* that over the time between [m/s] */
-    double stray;      /* farthest distance of a node from its mean place [m] */
-    double way, quiet; /* farthest distance of a mean place from where it began to lie still [m]; for how long [s] */
-    double best;       /* least residual since the step was halved */
-    double safety;     /* share of the bound, for the steps */
-    int32_t longer;    /* a check takes so many times CHECK_SECONDS: what trembles averages out */
-    int32_t still;     /* checks with force left and nothing gained */
-    int32_t stuck;     /* checks caught on a hook */
-    int32_t parted;    /* checks with frozen nodes */
-    int32_t moving;    /* checks with the residual reached, but not at rest */
+    double drag;    /* from now on [1/s] */
+    double h;       /* step of the last batch [s] */
+    bool tensors;   /* that batch had inertia tensors */
+    double move;    /* farthest move of a mean place since the check before [m] */
+    double drift;   /* that over the time between [m/s] */
+    double best;    /* least residual since the step was halved */
+    double safety;  /* share of the bound, for the steps */
+    int32_t longer; /* a check takes so many times CHECK_SECONDS: what trembles averages out */
+    int32_t still;  /* checks with force left and nothing gained */
+    int32_t stuck;  /* checks caught on a hook */
+    int32_t parted; /* checks with frozen nodes */
+    int32_t moving; /* checks with the residual reached, but not at rest */
 } lying;
 
 
@@ -248,10 +242,8 @@ static bool lift_nodes(mus_drape *drape, const settling *goal, double t)
 static void check_rest(mus_drape *drape, const settling *goal, double t, double seconds, lying *now)
 {
     mus__relaxation *relax = &drape->relax;
-    double unheld;
-    relax->residual = mus__residual(drape, relax->mean, &unheld);
+    relax->residual = mus__residual(drape, relax->mean);
     now->drag = t < goal->fall ? FALL_DRAG : critical_drag(drape, now->tensors, now->h, now->drag);
-    now->stray = farthest(drape, drape->x, relax->mean);
     const double last = now->move;
     now->move = farthest(drape, relax->mean, relax->before);
     now->drift = now->move / seconds;
@@ -261,18 +253,10 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
     settle_keep(drape, relax->force, relax->left);
     relax->rest_distance = expected_distance(now->move, last);
 
-    /* for how long it has lain still */
-    now->way = farthest(drape, relax->mean, relax->anchor);
-    now->quiet += seconds;
-    if (!(now->way <= REST_WAY && now->stray <= REST_WAY)) {
-        settle_keep(drape, relax->mean, relax->anchor);
-        now->quiet = 0.0;
-    }
     const double residual = relax->residual;
     const double rounding = drape->def.precision == 32 ? mus__residual_rounding(drape) : 0.0;
     relax->settled = (residual <= goal->residual && now->drift <= goal->drift) ||
-                     (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift) ||
-                     (unheld <= goal->residual && now->quiet >= REST_SECONDS);
+                     (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift);
     if (gives) relax->settled = 0;
     if (lift_nodes(drape, goal, t)) relax->settled = 0;
     choose_safety(drape, goal, t, residual < STALE_SHARE * now->best || residual <= goal->residual, gives, now);
@@ -285,8 +269,7 @@ static lying lie_down(mus_drape *drape, double fall)
     mus__relaxation *relax = &drape->relax;
     relax->settled = 0;
     settle_keep(drape, drape->x, relax->before);
-    settle_keep(drape, drape->x, relax->anchor);
-    relax->residual = mus__residual(drape, drape->x, NULL);
+    relax->residual = mus__residual(drape, drape->x);
     settle_keep(drape, relax->force, relax->left);
     return (lying){
         .drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = relax->residual, .longer = 1};

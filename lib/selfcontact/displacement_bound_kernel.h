@@ -182,13 +182,15 @@ static MUS__REAL MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL
 
 /*
  * Puts nodes that left their bounds back to where they came out, and slows them by as much as they went less far in
- * this step of h: with the old speed they would gain the work of the forces over the way back. Nonzero when any node is
- * near the end of its bound.
+ * this step of h: with the old speed they would gain the work of the forces over the way back. That is an impulse of
+ * other cloth too. Nonzero when any node is near the end of its bound.
  */
-static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL h, MUS__REAL *x, MUS__REAL *v)
+static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL h, const MUS__REAL *inverse,
+                                              MUS__REAL *x, MUS__REAL *v)
 {
     const int64_t n = self->n;
     const MUS__REAL *bound = self->bound, *w = self->drift, since = (MUS__REAL)self->bound_age;
+    MUS__REAL *force = self->force;
     if (MUS__NAME(self_bounds_beyond)(n, self->nodes, (MUS__REAL)MUS__BOUND_RENEW, since, bound, w, x) == 0) return 0;
     for (int64_t i = 0; i < self->nodes; i++) {
         MUS__REAL way[3], middle[3], d2 = 0, out = 0;
@@ -204,6 +206,7 @@ static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL
         for (int64_t d = 0; d < 3; d++) {
             x[d * n + i] = part > 0 ? middle[d] + part * way[d] : middle[d];
             v[d * n + i] -= slower * way[d];
+            force[d * n + i] -= inverse[i] > 0 ? slower * way[d] / inverse[i] : 0;
         }
         self->held++;
     }

@@ -15,8 +15,10 @@
 #define MUS__BOUND_RENEW 0.64
 /* time that drifting bounds are made for over the time that the last ones lasted; chosen: it doubles at most */
 #define MUS__BOUND_LONGER 2.0
-#define MUS__BOUND_STEPS_MIN 2.0   /* [steps] least time of drifting bounds; chosen: for less, drifts do not pay */
-#define MUS__BOUND_DRIFT_SHARE 0.5 /* largest share of a pair's limit for drifts; chosen: the rest is left for motion */
+#define MUS__BOUND_STEPS_MIN 2.0 /* [steps] least time of drifting bounds; chosen: for less, drifts do not pay */
+#define MUS__BOUND_DRIFT_SHARE                                                                                         \
+    0.5 /* largest share of a pair's limit for drifts; chosen: the rest is left for motion                             \
+         */
 /* [thicknesses] pairs nearer than this are active until bounds are computed again; chosen: more costs time, less makes
  * bounds smaller */
 #define MUS__ACTIVE_DISTANCE 2.0
@@ -296,12 +298,12 @@ void MUS__NAME(self_contact_pass)(mus__self_contact *self, const mus__self_rule 
 {
     self->bound_age += rule->step;
     self->list_age += rule->step;
-    int32_t turn = MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, x, v);
+    int32_t turn = MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, inverse, x, v);
     turn |= self->bound_age + rule->step > self->bound_span;
     if (self->nactive > 0) {
         MUS__NAME(self_rank_start)(self, rule, v);
         MUS__NAME(self_respond_pairs)(self, rule, inverse, x, v);
-        turn |= MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, x, v);
+        turn |= MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, inverse, x, v);
     }
     if (turn) MUS__NAME(self_bounds_make)(self, x, rule->step);
 }

@@ -1,12 +1,17 @@
 /*
  * test_settle.c: when settling gives up: what lies still with force left that does not go away is told soon, what comes
- * to rest slowly is waited for.
+ * to rest slowly is waited for. What has moved a node is by Newton's law what all forces have left of it.
  */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "contact/collider.h"
+#include "drape/drape_self.h"
+#include "drape/drape_state.h"
+#include "drape/residual.h"
 #include "drape/scenes.h"
+#include "geom/vec.h"
 
 Suite *mus_suite_settle(void);
 
@@ -130,12 +135,55 @@ START_TEST(what_comes_to_rest_slowly_is_waited_for)
 END_TEST
 
 
+/* a cloth that swings between two held corners: of every node that touches nothing, what springs and weight leave at
+ * its mean place is the force that moved it; of those on a bar no more is told than that */
+START_TEST(what_is_left_of_forces_moves_the_node)
+{
+    double x[3 * NODES];
+    mus_context *context = support_context();
+    mus_body *body = bar(context);
+    mus_cloth *cloth = grid(context, SIDE, SIDE);
+    mus_drape_def def;
+    mus_drape *drape;
+    mus_drape_def_init(&def, sizeof def);
+    def.precision = 64, def.self_contact = 1;
+    def.settle_seconds = 2.2, def.settle_residual = 1e-12;
+    ck_assert_int_eq(mus_drape_create(context, cloth, body, &def, &drape), MUS_OK);
+    for (int32_t i = 0; i < NODES; i++)
+        x[3 * i] = 0.02 * (i % SIDE), x[3 * i + 1] = 0.004, x[3 * i + 2] = 0.02 * (i / SIDE) + (_i == 0 ? 0.3 : 0.0);
+    ck_assert_int_eq(mus_drape_set_state(drape, x, NULL), MUS_OK);
+    ck_assert_int_eq(mus_drape_pin(drape, 0, 1), MUS_OK);
+    ck_assert_int_eq(mus_drape_pin(drape, SIDE - 1, 1), MUS_OK);
+    ck_assert_int_eq(mus_drape_settle(drape, NULL, NULL), MUS_ERR_UNSETTLED);
+    const double least = mus__residual(drape, drape->relax.mean), *left = drape->relax.force;
+    double most = 0.0, apart = 0.0;
+    for (int32_t i = 0; i < NODES; i++) {
+        double d[3], touch[3] = {0.0};
+        if (i == 0 || i == SIDE - 1 || mus__drape_self_force(drape, i, touch)) continue;
+        if (mus__collider_body_depth(drape->scene.collider, drape->relax.mean + 3 * i, 0.1, NULL) > -0.004) continue;
+        for (int32_t k = 0; k < 3; k++) d[k] = left[3 * i + k] - drape->relax.moving[3 * i + k];
+        apart = fmax(apart, mus__norm3(d) / (9.81 * drape->mass[i]));
+        most = fmax(most, mus__norm3(left + 3 * i) / (9.81 * drape->mass[i]));
+    }
+    printf("force left: %.2g of the weight at most, %.1g apart from what moved the node\n", most, apart);
+    ck_assert_double_le(apart, 1e-9 + 0.2 * most);
+    memcpy(x, drape->relax.mean, sizeof x);
+    ck_assert_double_le(least, mus__residual(drape, x));
+    mus_drape_destroy(drape);
+    mus_cloth_destroy(cloth);
+    mus_body_destroy(body);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_settle(void)
 {
     Suite *suite = suite_create("settle");
     TCase *tcase = tcase_create("settle");
     tcase_add_loop_test(tcase, what_hangs_on_a_hook_is_told_long_before_its_time, 0, 2);
     tcase_add_test(tcase, what_comes_to_rest_slowly_is_waited_for);
+    tcase_add_loop_test(tcase, what_is_left_of_forces_moves_the_node, 0, 2);
     tcase_set_timeout(tcase, 60.0);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -20,6 +20,7 @@ typedef struct mus__sewing {
     double *start_x;    /* (n x 3) where the first try began */
     double *unwelded_x; /* (n x 3) before a weld that may be taken back */
     double *outward;    /* (n x 3) unit at each node: out of its panel, away from its triangles */
+    double *tube_gap;   /* (panels) largest gap of an open seam of a panel with itself [m] */
 } mus__sewing;
 
 /* a component of the garment: panels that hang together by seams. One record a panel; that of the lowest panel counts

@@ -10,6 +10,9 @@
  * middle of the shoulder: with gravity off and little grip, a tight side seam would draw it down the arm. Where that
  * does not bring the straps over, the garment is hung by them first: until they are near, all other pairs are pulled
  * with less tension.
+ *
+ * A panel that is sewn to itself is a tube: a sleeve, a cuff, a band. While the pull rises it closes round the limb
+ * that it was put round, and its other seams wait until it has: they would open it and draw it off to one side.
  */
 #include <math.h>
 #include <string.h>
@@ -33,7 +36,7 @@
 #define ROUTE_POINTS 1.0 /* sum of the two vertical components: above it edges point up, below its negative down */
 #define ROUTE_STRAP 0.6  /* of the shoulder line: a shorter seam over the shoulder is a strap's */
 #define ROUTE_RIM 1.2    /* of the shoulders' half breadth: no strap begins farther out */
-#define HANG_NEAR 0.05   /* [m] largest gap of a strap that is near */
+#define HANG_NEAR 0.05   /* [m] largest gap of a strap, or of a tube, that is near */
 #define HANG_SHARE 0.25  /* of the tension, for the other pairs until straps are near */
 
 
@@ -251,7 +254,7 @@ static void route_hang(mus_drape *drape, const mus__level_plane *armpit, bool ha
     for (int32_t p = 0; p < drape->program.npair; p++) {
         mus__seam_pair *pair = &drape->program.pair[p];
         const bool hangs = route_hangs(drape, armpit, pair, &far);
-        pair->pull_share = wait && !hangs ? HANG_SHARE : 1.0;
+        if (wait && !hangs) pair->pull_share *= HANG_SHARE;
         pair->strap_k = 0.0;
         if (!hangs) continue;
         const double aside = route_aside(drape, armpit, pair), more = fabs(aside) - fabs(pair->lateral);
@@ -280,10 +283,34 @@ mus__straps mus__seam_route_straps(const mus_drape *drape, int32_t *off)
 }
 
 
-void mus__seam_route(mus_drape *drape, bool hang, int32_t check)
+/* lets the other seams of a tube wait until it is nearly closed; not any more when the pull has risen, nor on a cut
+ * whose cells are wider than that */
+static void route_tubes(mus_drape *drape, bool early)
+{
+    const int32_t *panel = drape->cloth->node_panel;
+    const bool waits = early && drape->cloth->spacing <= HANG_NEAR;
+    double *gap = drape->sewing.tube_gap;
+    memset(gap, 0, (size_t)drape->cloth->npanel * sizeof *gap);
+    for (int32_t p = 0; p < drape->program.npair; p++) {
+        const mus__seam_pair *pair = &drape->program.pair[p];
+        if (pair->stitched || panel[pair->a] != panel[pair->b]) continue;
+        const double *a = drape->x + 3 * (int64_t)pair->a, *b = drape->x + 3 * (int64_t)pair->b;
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        gap[panel[pair->a]] = fmax(gap[panel[pair->a]], mus__norm3(d));
+    }
+    for (int32_t p = 0; p < drape->program.npair; p++) {
+        mus__seam_pair *pair = &drape->program.pair[p];
+        const int32_t a = panel[pair->a], b = panel[pair->b];
+        pair->pull_share = waits && a != b && fmax(gap[a], gap[b]) > HANG_NEAR ? 0.0 : 1.0;
+    }
+}
+
+
+void mus__seam_route(mus_drape *drape, bool hang, bool early, int32_t check)
 {
     const bool straps = mus__seam_route_straps(drape, NULL) != MUS__STRAPS_NONE;
     mus__level_plane armpit;
+    route_tubes(drape, early);
     if (drape->scene.collider == NULL || (!straps && check % ROUTE_CHECKS != 0)) return;
     mus__scene_level(drape, MUS_HOLD_ARMPIT, 0, &armpit);
     ways_outward(drape, drape->sewing.outward);

@@ -36,8 +36,10 @@
 #define SEW_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
 #define SEW_DRAG 8.0   /* [1/s] the speed of a panel follows its pull */
 #define SEW_SPEED 3.0  /* [m/s] speed limit of a node */
-#define SEW_TRAVEL 0.5 /* of the clearance: way of a node at that speed in the step of stiff cloth; soft cloth goes 1 */
-#define SEW_GRIP 0.5   /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
+#define SEW_TRAVEL                                                                                                     \
+    0.5              /* of the clearance: way of a node at that speed in the step of stiff cloth; soft cloth goes 1    \
+                      */
+#define SEW_GRIP 0.5 /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
 #define SEW_ATTACH                                                                                                     \
     0.1 /* of the largest force of attachments: gravity is off, and a tight seam under them must close.                \
          * 0 at the armpits, where attachments would draw the garment up over the arms */
@@ -49,7 +51,8 @@
 #define STIFF_MOST 16.0  /* times a pair's stiffness at the end, which rules in the last millimetres */
 
 /* the last pairs; lateness runs from 0 at the end of the rise to 1 at the end of the budget */
-#define PASS_LATE 0.4   /* lateness from which on the cloth round the last open pairs may pass through cloth */
+/* lateness from which on the cloth round the last open pairs may pass through cloth, and nothing waits for a tube */
+#define PASS_LATE 0.4
 #define PASS_SHARE 0.05 /* of all pairs: the last ones are no more than these, */
 #define PASS_PAIRS 4.0  /* or no more than these */
 #define PASS_REACH 2.5  /* spacings round an open pair */
@@ -212,7 +215,8 @@ static mus_status sew_pull(mus_drape *drape, mus__progress *run, int32_t way, bo
     int32_t open = pairs, check = 0;
     while (open > 0 && t < all && !run->stop && status == MUS_OK) {
         mus__drape_publish(drape);
-        if (way != SEW_STRAIGHT) mus__seam_route(drape, way == SEW_HUNG && t < RAMP_SECONDS, check++);
+        if (way != SEW_STRAIGHT)
+            mus__seam_route(drape, way == SEW_HUNG && t < RAMP_SECONDS, lateness(t, all) < PASS_LATE, check++);
         status = sew_batch(drape, run, &t, &open);
         if (run->stop) break;
         if (status == MUS_OK && !patient && lateness(t, all) > NEAR_LATE && near_closed(drape)) break;
@@ -239,10 +243,11 @@ mus_status mus__sew_create(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->sewing.start_x != NULL) return MUS_OK;
-    drape->sewing.start_x = mus__new(drape->context, 3 * n3, sizeof *drape->sewing.start_x);
+    drape->sewing.start_x = mus__new(drape->context, 3 * n3 + drape->cloth->npanel, sizeof *drape->sewing.start_x);
     if (drape->sewing.start_x == NULL) return mus__fail_memory(drape->context, "a sewing");
     drape->sewing.unwelded_x = drape->sewing.start_x + n3;
     drape->sewing.outward = drape->sewing.unwelded_x + n3;
+    drape->sewing.tube_gap = drape->sewing.outward + n3;
     return MUS_OK;
 }
 

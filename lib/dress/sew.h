@@ -19,8 +19,9 @@ typedef enum mus__straps { MUS__STRAPS_NONE, MUS__STRAPS_ON, MUS__STRAPS_OFF } m
 
 /* find which pairs close over the shoulders, which under the arms, and which are straps'. Needs sewing.outward */
 void mus__seam_route_start(mus_drape *drape);
-/* set the detours of open pairs round the body; `check` counts the calls. hang: straps pull in full, all else less */
-void mus__seam_route(mus_drape *drape, bool hang, int32_t check);
+/* set the detours of open pairs round the body; `check` counts the calls. hang: straps pull in full, all else less.
+ * early: the pull still rises, and tubes close first */
+void mus__seam_route(mus_drape *drape, bool hang, bool early, int32_t check);
 /* before welding: whether all straps are on the shoulders; *off (may be NULL) gets the seam of one that is not */
 mus__straps mus__seam_route_straps(const mus_drape *drape, int32_t *off);
 

@@ -40,6 +40,6 @@
     G(empire_gathered_square_sleeveless, W34, 64) G(gown_halter_gored8, W34, 32)                                       \
     G(gown_sweetheart_gathered, W50, 64) G(gown_deep_v_gored8, W34, 64) G(a_line_dress_bell, W40, 64)                  \
     G(romper, W40, 32) G(straight_shorts, W40, 64) G(jumpsuit_strapless_culotte, W34, 32)                      \
-    G(jumpsuit_square_wide, W34, 64) G(romper_v_wide, W34, 32) G(romper_strapless_straight, W50, 64)
+    G(palazzo, W34, 64) G(romper_v_wide, W34, 32) G(romper_strapless_straight, W50, 64)
 
 #endif

@@ -4,7 +4,7 @@
  *
  * Up is as drawn, except on an arm, where it is the direction from the hand to the panel that the sleeve is sewn to, by
  * quarter turns: a sleeve may be drawn along the arm or across it. A collar or hood that is drawn with the edge to the
- * neck above stands on its head: flat collars are drawn as they lie.
+ * neck above is turned over, so that it stands on that edge: flat collars are drawn as they lie.
  */
 #include <math.h>
 #include <string.h>

@@ -36,10 +36,8 @@
 #define SEW_SAFETY 0.7 /* the step, as a share of the bound of symplectic Euler */
 #define SEW_DRAG 8.0   /* [1/s] the speed of a panel follows its pull */
 #define SEW_SPEED 3.0  /* [m/s] speed limit of a node */
-#define SEW_TRAVEL                                                                                                     \
-    0.5              /* of the clearance: way of a node at that speed in the step of stiff cloth; soft cloth goes 1    \
-                      */
-#define SEW_GRIP 0.5 /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
+#define SEW_TRAVEL 0.5 /* of the clearance: way of a node at that speed in the step of stiff cloth; soft cloth goes 1 */
+#define SEW_GRIP 0.5   /* of the friction: panels slide round the body, yet do not slip down a tapering limb */
 #define SEW_ATTACH                                                                                                     \
     0.1 /* of the largest force of attachments: gravity is off, and a tight seam under them must close.                \
          * 0 at the armpits, where attachments would draw the garment up over the arms */

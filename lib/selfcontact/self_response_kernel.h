@@ -15,10 +15,8 @@
 #define MUS__BOUND_RENEW 0.64
 /* time that drifting bounds are made for over the time that the last ones lasted; chosen: it doubles at most */
 #define MUS__BOUND_LONGER 2.0
-#define MUS__BOUND_STEPS_MIN 2.0 /* [steps] least time of drifting bounds; chosen: for less, drifts do not pay */
-#define MUS__BOUND_DRIFT_SHARE                                                                                         \
-    0.5 /* largest share of a pair's limit for drifts; chosen: the rest is left for motion                             \
-         */
+#define MUS__BOUND_STEPS_MIN 2.0   /* [steps] least time of drifting bounds; chosen: for less, drifts do not pay */
+#define MUS__BOUND_DRIFT_SHARE 0.5 /* largest share of a pair's limit for drifts; chosen: the rest is left for motion */
 /* [thicknesses] pairs nearer than this are active until bounds are computed again; chosen: more costs time, less makes
  * bounds smaller */
 #define MUS__ACTIVE_DISTANCE 2.0

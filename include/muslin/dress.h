@@ -86,10 +86,11 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  * patience is slow, and settling too, each placement is first sewn in one way only, and not settled when a limb is not
  * in its opening then or goes through the cloth, or cloth crosses cloth. Where none succeeds so, starts with crossings
  * are settled all the same, the fewest first and while they have fewer than another has at rest; and where none got
- * through settling, those with an open seam are sewn in all ways. A start whose settle ends with its forces balanced
- * while the cloth still drifts is settled once more, for it is on its way. The first success ends the search; when none
- * succeeds, the result is the one that got farthest: not at rest, tangled (with the fewest crossings), not worn, slid
- * off, a seam open, in this order.
+ * through settling, those with an open seam are sewn in all ways. A hood so deep that its face edge would hang before
+ * the hairline is drawn back over the crown, and held at the hairline while the garment is let down. A start whose
+ * settle ends with its forces balanced while the cloth still drifts is settled once more, for it is on its way. The
+ * first success ends the search; when none succeeds, the result is the one that got farthest: not at rest, tangled
+ * (with the fewest crossings), not worn, slid off, a seam open, in this order.
  *
  * `body` may be NULL: empty space, and the pattern's own placement alone. `def` may be NULL. `report`, `reason` and
  * `cloth` may be NULL. *drape and *cloth are the caller's to destroy. They are given after a failure too, as far as the

@@ -119,7 +119,7 @@ MUS_API mus_status mus_fit_level_get(const mus_fit *fit, int32_t index, mus_fit_
 #define MUS_WORN_OPENING 2    /* limb, panel: the limb does not go through its opening, or goes through another's */
 #define MUS_WORN_INSIDE_OUT 3 /* panel: the wrong side of the cloth is outside */
 #define MUS_WORN_SHOULDER 4   /* limb (arm of that side), value: distance past the end of the shoulder [m] */
-#define MUS_WORN_HOOD 5       /* panel: a hood that the pattern puts on the head is not on it */
+#define MUS_WORN_HOOD 5       /* panel: a hood is not on the head, or hangs over the eyes */
 #define MUS_WORN_LOW 6        /* panel, value: an opening hangs that much lower than its girth allows [m] */
 #define MUS_WORN_ROLLED 7     /* panel, value: an opening is that much higher than the pattern puts it [m] */
 #define MUS_WORN_TIGHT 8      /* panel, value: strain above 1, of an opening or of the cloth */

@@ -8,7 +8,8 @@
  * before anything is sewn.
  *
  * A start with raised arms is sewn round the body with horizontal arms. They are taken back to where the body has them
- * while the cloth, which is on by then, steps in time; then it settles as any other.
+ * while the cloth, which is on by then, steps in time; then it settles as any other. A hood that would hang over the
+ * face is drawn back before that (hood_back.c), and held until the garment is let down.
  */
 #include <math.h>
 #include <stdio.h>
@@ -16,6 +17,8 @@
 
 #include "drape/drape_state.h"
 #include "dress/dress_start.h"
+#include "dress/dynamic_relaxation.h"
+#include "dress/hood_back.h"
 #include "dress/progress.h"
 #include "fit/worn_check.h"
 #include "geom/vec.h"
@@ -214,6 +217,33 @@ static mus_status start_lower(mus__dress *call, mus__dress_start *start)
 }
 
 
+/* draw a hood back that would hang over the face, and hold it: *hood */
+static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hood *hood)
+{
+    mus__progress run;
+    hood->count = 0;
+    if (call->body == NULL) return MUS_OK;
+    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    mus_status status = mus__progress_start(&run, start->drape, "settle", progress, call);
+    if (status != MUS_OK) return status;
+    status = mus__hood_back(start->drape, start->pattern, call->body, &run, hood);
+    return mus__progress_end(&run, start->drape, status, false);
+}
+
+
+/* let the garment down while the hood is held, then let go of it; `status`: of the start so far */
+static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_start *start, mus__hood *hood)
+{
+    mus__progress run;
+    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    if (status == MUS_OK) status = mus__progress_start(&run, start->drape, "settle", progress, call);
+    if (status == MUS_OK)
+        status = mus__progress_end(&run, start->drape, mus__settle_roughly(start->drape, &run), false);
+    const mus_status own = mus__hood_release(start->drape, hood);
+    return status == MUS_OK ? own : status;
+}
+
+
 /* settle; and once more where the forces are balanced and the cloth still drifts, as long folds do: it is on its way,
  * and nearer to rest than another start is */
 static mus_status start_settle(mus__dress *call, mus__dress_start *start)
@@ -234,7 +264,10 @@ void mus__dress_settle(mus__dress *call, mus__dress_start *start)
 {
     const double time = mus__progress_time();
     start->waits = 0;
-    start->status = start->raised != NULL ? start_lower(call, start) : MUS_OK;
+    mus__hood hood;
+    start->status = start_hood(call, start, &hood);
+    if (start->status == MUS_OK && start->raised != NULL) start->status = start_lower(call, start);
+    if (hood.count > 0) start->status = start_let_go(call, start->status, start, &hood);
     if (start->status == MUS_OK) start->status = start_settle(call, start);
     call->report.settle_seconds += mus__progress_time() - time;
     start_reason(start);

@@ -41,6 +41,9 @@ void mus__relax_clear(mus_drape *drape);
 
 /* let the sewn layers fall on this cut until they nearly rest (settle.c) */
 mus_status mus__settle_let_down(mus_drape *drape, mus__progress *run);
+/* let the garment fall, coarser cuts first, until it nearly rests; a garment that does not within some seconds is no
+ * error (settle.c) */
+mus_status mus__settle_roughly(mus_drape *drape, mus__progress *run);
 
 /* with self-contact: draw crossings apart as far as they go (untangle.c). Errors: as mus_drape_untangle, but crossings
  * that are left are none */

@@ -404,6 +404,15 @@ mus_status mus__settle_let_down(mus_drape *drape, mus__progress *run)
 }
 
 
+mus_status mus__settle_roughly(mus_drape *drape, mus__progress *run)
+{
+    const settling rough = {FALL_SECONDS, ROUGH_SECONDS, ROUGH_RESIDUAL, ROUGH_DRIFT};
+    const mus_status status = settle_cuts(drape, run, &rough);
+    if (status == MUS_OK || status == MUS_ERR_UNSETTLED) drape->relax.far = 0;
+    return status == MUS_ERR_UNSETTLED && !run->slid ? MUS_OK : status;
+}
+
+
 mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user)
 {
     if (drape == NULL) return MUS_ERR_ARG;

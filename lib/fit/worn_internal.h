@@ -13,6 +13,7 @@
 #define MUS_FIT_WORN_INTERNAL_H
 
 #include "drape/drape_state.h"
+#include "fit/worn_hood.h"
 #include "muslin/fit.h"
 
 /* points of an axis at most: the chest, and the contours of the trunk and of the limb, 128 each (mus_limb) */
@@ -61,6 +62,9 @@ void mus__worn_link(const mus__worn_axes *axes, const mus__worn_loops *loops, in
                     int32_t out[MUS_WORN_LIMBS][MUS__WORN_WAYS]);
 /* distance of a place (3) from an axis, from the limb's own first point to its end [m]; infinite without the limb */
 double mus__worn_distance(const mus__worn_axes *axes, int32_t axis, const double *place);
+
+/* worn_hood.c: the head of a body with these axes */
+void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head *out);
 
 /* worn_openings.c: which axes the pattern has for each loop: loop.expect, sign, over. `placed` (nnode x 3): where the
  * panels start. Errors: MUS_ERR_MEMORY */

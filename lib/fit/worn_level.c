@@ -7,7 +7,7 @@
  * Shoulder: a neck opening beside an opening of its own for the arm has cloth between the two, a strap or a shoulder.
  * The loop of the neck passes over that arm's side from front to back where the strap lies. It may pass no farther out
  * than the end of the shoulder, unless the pattern puts it there.
- * Hood: the way up from the crown is closed by cloth, the way forwards is open.
+ * Hood: the way up from the crown is closed by cloth, the way forwards is open, and no cloth is before the eyes.
  * Low: an opening for both arms and the head (a waist, a strapless top) stands at the level at which the pattern puts
  * it, or at the first one below where the trunk is as wide as the opening is long; one above the bust stays above it.
  * Rolled up: an opening of the legs is above the bust, of a garment that reaches above the waist (the band of a short
@@ -19,11 +19,13 @@
 
 #include "fit/worn_internal.h"
 #include "geom/vec.h"
+#include "selfcontact/crossing_count.h"
 
 /* all chosen; the table of garments made wrong on purpose (tests/study/worn) shows which are told when they change */
 #define HANG_SHOULDER 0.02 /* [m] past the end of the shoulder: half of a narrow strap */
 #define HANG_LOW 0.08      /* [m] below what carries an opening; the slide at which mus_drape_settle() gives up */
 #define HANG_ROLLED 0.5    /* of the height of a skirt or trousers */
+#define HANG_LOOK 0.5      /* [m] from between the eyes forwards: beyond every hood */
 #define HANG_DOTS 64       /* points of a contour of the trunk */
 #define HANG_ARMS (1 << MUS_WORN_ARM_LEFT | 1 << MUS_WORN_ARM_RIGHT)
 #define HANG_LEGS (1 << MUS_WORN_LEG_LEFT | 1 << MUS_WORN_LEG_RIGHT)
@@ -87,6 +89,25 @@ static void hang_shoulders(const mus__worn_call *call, int32_t loop)
 }
 
 
+/* a hood whose cloth is before the eyes */
+static void hang_over(const mus__worn_call *call, int32_t loop)
+{
+    const mus_cloth *cloth = call->drape->cloth;
+    mus__head head;
+    double ahead[3];
+    mus__worn_head(call->body, &call->axes, &head);
+    for (int32_t d = 0; d < 3; d++) ahead[d] = head.eyes[d] + HANG_LOOK * head.front[d];
+    for (int32_t k = 0; k < cloth->ntriangle && head.there; k++) {
+        const int32_t *v = cloth->triangle + 3 * (ptrdiff_t)k;
+        const double *a = call->x + 3 * (ptrdiff_t)v[0], *b = call->x + 3 * (ptrdiff_t)v[1];
+        const double *c = call->x + 3 * (ptrdiff_t)v[2];
+        if (!mus__segment_meets_triangle(head.eyes, ahead, a, b, c)) continue;
+        mus__worn_note(call, MUS_WORN_HOOD, MUS_WORN_NECK, loop, v[0], 0.0, "the hood hangs over the eyes");
+        return;
+    }
+}
+
+
 /* hoods: the way up from the crown closed, the way forwards open */
 static void hang_hood(const mus__worn_call *call, int32_t loop)
 {
@@ -97,6 +118,7 @@ static void hang_hood(const mus__worn_call *call, int32_t loop)
     mus__worn_agree(&call->axes, own, own->sign, link, &common);
     if (own->sign * link[MUS_WORN_NECK][0] - common != 0)
         mus__worn_note(call, MUS_WORN_HOOD, MUS_WORN_NECK, loop, MUS_NONE, 0.0, "the hood is not on the head");
+    hang_over(call, loop);
 }
 
 

@@ -217,8 +217,9 @@ static mus_status start_lower(mus__dress *call, mus__dress_start *start)
 }
 
 
-/* draw a hood back that would hang over the face, and hold it: *hood */
-static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hood *hood)
+/* draw a hood back that would hang over the face, and hold it: *hood. Where that diverges, here and below, the start
+ * goes on from the last good state */
+static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hood_edge *hood)
 {
     mus__progress run;
     hood->count = 0;
@@ -227,18 +228,20 @@ static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hoo
     mus_status status = mus__progress_start(&run, start->drape, "settle", progress, call);
     if (status != MUS_OK) return status;
     status = mus__hood_back(start->drape, start->pattern, call->body, &run, hood);
-    return mus__progress_end(&run, start->drape, status, false);
+    return mus__progress_end(&run, start->drape, status == MUS_ERR_DIVERGED ? MUS_OK : status, false);
 }
 
 
 /* let the garment down while the hood is held, then let go of it; `status`: of the start so far */
-static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_start *start, mus__hood *hood)
+static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_start *start, mus__hood_edge *hood)
 {
     mus__progress run;
     mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
     if (status == MUS_OK) status = mus__progress_start(&run, start->drape, "settle", progress, call);
-    if (status == MUS_OK)
-        status = mus__progress_end(&run, start->drape, mus__settle_roughly(start->drape, &run), false);
+    if (status == MUS_OK) {
+        status = mus__settle_roughly(start->drape, &run);
+        status = mus__progress_end(&run, start->drape, status == MUS_ERR_DIVERGED ? MUS_OK : status, false);
+    }
     const mus_status own = mus__hood_release(start->drape, hood);
     return status == MUS_OK ? own : status;
 }
@@ -264,7 +267,7 @@ void mus__dress_settle(mus__dress *call, mus__dress_start *start)
 {
     const double time = mus__progress_time();
     start->waits = 0;
-    mus__hood hood;
+    mus__hood_edge hood;
     start->status = start_hood(call, start, &hood);
     if (start->status == MUS_OK && start->raised != NULL) start->status = start_lower(call, start);
     if (hood.count > 0) start->status = start_let_go(call, start->status, start, &hood);

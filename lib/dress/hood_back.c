@@ -11,6 +11,7 @@
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "dress/dynamic_relaxation.h"
@@ -37,7 +38,8 @@ typedef struct back_hold {
 static void back_way(const mus__head *head, double angle, double turn, double *out)
 {
     for (int32_t d = 0; d < 3; d++)
-        out[d] = cos(turn) * (cos(angle) * head->front[d] + sin(angle) * head->up[d]) + sin(turn) * head->left[d];
+        out[d] = mus__cos(turn) * (mus__cos(angle) * head->front[d] + mus__sin(angle) * head->up[d]) +
+                 mus__sin(turn) * head->left[d];
 }
 
 
@@ -59,7 +61,7 @@ static double back_skin(const mus_drape *drape, const mus__head *head, const dou
 
 
 /* moves the hand to the share t of its time */
-static void back_move(mus_drape *drape, const mus__hood *hood, const back_hold *hold, double t)
+static void back_move(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, double t)
 {
     double way[3];
     const double up = fmin(2.0 * t, 1.0), down = fmax(2.0 * t - 1.0, 0.0);
@@ -80,14 +82,15 @@ static void back_move(mus_drape *drape, const mus__hood *hood, const back_hold *
 
 
 /* takes the places of the nodes of the edge */
-static void back_take(const mus_drape *drape, const mus__hood *hood, back_hold *hold)
+static void back_take(const mus_drape *drape, const mus__hood_edge *hood, back_hold *hold)
 {
     for (int32_t k = 0; k < hood->count; k++) {
         double to[3];
         for (int32_t d = 0; d < 3; d++)
             to[d] = drape->x[3 * (int64_t)drape->rep[hood->node[k]] + d] - hood->head.brow[d];
         const double front = mus__dot3(to, hood->head.front), up = mus__dot3(to, hood->head.up);
-        hold[k].angle = atan2(up, front), hold[k].turn = atan2(mus__dot3(to, hood->head.left), hypot(up, front));
+        hold[k].angle = mus__atan2(up, front),
+        hold[k].turn = mus__atan2(mus__dot3(to, hood->head.left), sqrt(up * up + front * front));
         hold[k].far = mus__norm3(to);
     }
 }
@@ -108,7 +111,7 @@ static bool back_deep(const mus_drape *drape, const mus__head *head, const back_
 
 
 /* moves the pinned edge; gravity is off, as in sewing */
-static mus_status back_draw(mus_drape *drape, const mus__hood *hood, const back_hold *hold, mus__progress *run)
+static mus_status back_draw(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, mus__progress *run)
 {
     static const mus__relax_rule rule = {.drag = 8.0, .speed_limit = 3.0, .grip = 0.5};
     mus_status status = mus__drape_plane_cache(drape);
@@ -130,7 +133,7 @@ static mus_status back_draw(mus_drape *drape, const mus__hood *hood, const back_
 
 
 mus_status mus__hood_back(mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__progress *run,
-                          mus__hood *hood)
+                          mus__hood_edge *hood)
 {
     back_hold hold[MUS__HOOD_HAND];
     mus_status status = mus__fit_hood(drape, pattern, body, hood);
@@ -147,7 +150,7 @@ mus_status mus__hood_back(mus_drape *drape, const mus_pattern *pattern, const mu
 }
 
 
-mus_status mus__hood_release(mus_drape *drape, mus__hood *hood)
+mus_status mus__hood_release(mus_drape *drape, mus__hood_edge *hood)
 {
     mus_status status = MUS_OK;
     for (int32_t k = 0; k < hood->count; k++) {

@@ -11,8 +11,8 @@
  * mus__hood_release(). hood->count is 0 where there is nothing to draw, and where the call fails. Errors: those of
  * mus__relax_run(), MUS_ERR_MEMORY */
 mus_status mus__hood_back(mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__progress *run,
-                          mus__hood *hood);
+                          mus__hood_edge *hood);
 /* let go of the edge. Errors: MUS_ERR_MEMORY */
-mus_status mus__hood_release(mus_drape *drape, mus__hood *hood);
+mus_status mus__hood_release(mus_drape *drape, mus__hood_edge *hood);
 
 #endif

@@ -54,7 +54,7 @@ void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head 
 
 
 /* takes the nodes of a loop within a hand's reach of its place `middle` */
-static void hood_take(const mus_drape *drape, const int32_t *loop, int32_t count, int32_t middle, mus__hood *out)
+static void hood_take(const mus_drape *drape, const int32_t *loop, int32_t count, int32_t middle, mus__hood_edge *out)
 {
     double lean = 0.0;
     out->count = 1, out->node[0] = loop[middle], out->along[0] = 0.0;
@@ -75,7 +75,7 @@ static void hood_take(const mus_drape *drape, const int32_t *loop, int32_t count
 }
 
 
-mus_status mus__fit_hood(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__hood *out)
+mus_status mus__fit_hood(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__hood_edge *out)
 {
     mus__worn_loops loops = {0};
     mus__worn_axes axes;

@@ -17,14 +17,14 @@ typedef struct mus__head {
 } mus__head;
 
 /* the part of the face edge that a hand takes */
-typedef struct mus__hood {
+typedef struct mus__hood_edge {
     mus__head head;
     int32_t count;                /* of its nodes; 0: the garment has no hood */
     int32_t node[MUS__HOOD_HAND]; /* the first is the middle */
     double along[MUS__HOOD_HAND]; /* of each, way along the edge from the middle, to the left [m] */
-} mus__hood;
+} mus__hood_edge;
 
 /* the hood as the cloth lies now. Errors: MUS_ERR_MEMORY */
-mus_status mus__fit_hood(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__hood *out);
+mus_status mus__fit_hood(const mus_drape *drape, const mus_pattern *pattern, const mus_body *body, mus__hood_edge *out);
 
 #endif

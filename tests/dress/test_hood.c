@@ -51,8 +51,7 @@ typedef struct hood_row {
     double head; /* [m] girth that the hood is drafted for; 0: that of the body */
 } hood_row;
 
-static const hood_row rows[] = {{"hoodie", "W40", 0.0},       {"hoodie_v", "W40", 0.0},    {"hoodie_zip", "M50", 0.0},
-                                {"hoodie_short", "W52", 0.0}, {"hoodie_zip", "W40", 0.68}, {"hoodie", "M50", 0.66}};
+static const hood_row rows[] = {{"hoodie_v", "W40", 0.0}, {"hoodie", "M50", 0.66}, {"hoodie_zip", "M50", 0.66}};
 
 
 /* a body of the size and a design whose hood is for another head */

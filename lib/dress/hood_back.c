@@ -14,15 +14,14 @@
 #include "base/elementary.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
-#include "dress/dynamic_relaxation.h"
 #include "dress/hood_back.h"
+#include "dress/sew.h"
 #include "geom/vec.h"
 
 #define BACK_HAIRLINE (0.25 * MUS_PI) /* [rad] above the brow: half way to the crown */
-#define BACK_CROWN (0.5 * MUS_PI)
+#define BACK_CROWN (0.5 * MUS_PI)     /* [rad] above the brow: straight above its centre */
 #define BACK_SECONDS 0.5 /* [s] of the drawing, half of it to the crown; chosen: in 0.25 s folds stay in front */
 #define BACK_STEPS 8     /* between two places of the hand: less than 2 mm of its way */
-#define BACK_SAFETY 0.7  /* the step, as a share of the bound of symplectic Euler: that of sewing, as the rule is */
 #define BACK_REACH 0.4   /* [m] from the centre of the brow: beyond every head */
 #define BACK_HALVINGS 16 /* of it: to a hundredth of a millimetre */
 
@@ -89,7 +88,7 @@ static void back_take(const mus_drape *drape, const mus__hood_edge *hood, back_h
         for (int32_t d = 0; d < 3; d++)
             to[d] = drape->x[3 * (int64_t)drape->rep[hood->node[k]] + d] - hood->head.brow[d];
         const double front = mus__dot3(to, hood->head.front), up = mus__dot3(to, hood->head.up);
-        hold[k].angle = mus__atan2(up, front),
+        hold[k].angle = mus__atan2(up, front);
         hold[k].turn = mus__atan2(mus__dot3(to, hood->head.left), sqrt(up * up + front * front));
         hold[k].far = mus__norm3(to);
     }
@@ -110,18 +109,15 @@ static bool back_deep(const mus_drape *drape, const mus__head *head, const back_
 }
 
 
-/* moves the pinned edge; gravity is off, as in sewing */
+/* moves the pinned edge, with the steps of sewing */
 static mus_status back_draw(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, mus__progress *run)
 {
-    static const mus__relax_rule rule = {.drag = 8.0, .speed_limit = 3.0, .grip = 0.5};
     mus_status status = mus__drape_plane_cache(drape);
     for (double t = 0.0; t < BACK_SECONDS && status == MUS_OK && !run->stop;) {
-        const double h = mus__relax_step(drape, BACK_SAFETY, 0.5 * drape->def.clearance / rule.speed_limit);
+        const double h = mus__sew_step(drape);
         int32_t steps = BACK_STEPS;
         back_move(drape, hood, hold, fmin((t + steps * h) / BACK_SECONDS, 1.0));
-        status = mus__relax_ready(drape, &rule, h);
-        if (status == MUS_OK) status = mus__relax_run(drape, run, h, &steps, 0);
-        mus__drape_tick(drape, steps, h, 1);
+        status = mus__sew_run(drape, run, h, &steps);
         t += steps * h;
         drape->counters.settle_time += steps * h;
         mus__drape_publish(drape);

@@ -176,21 +176,37 @@ static void share_attachments(mus_drape *drape, bool sewing)
 }
 
 
+double mus__sew_step(mus_drape *drape)
+{
+    return mus__relax_step(drape, SEW_SAFETY, SEW_TRAVEL * drape->def.clearance / SEW_SPEED);
+}
+
+
+mus_status mus__sew_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps)
+{
+    static const mus__relax_rule rule = {.drag = SEW_DRAG, .speed_limit = SEW_SPEED, .grip = SEW_GRIP};
+    const int32_t asked = *steps;
+    *steps = 0;
+    mus_status status = mus__relax_ready(drape, &rule, h);
+    if (status != MUS_OK) return status;
+    *steps = asked;
+    status = mus__relax_run(drape, run, h, steps, 0);
+    mus__drape_tick(drape, *steps, h, 1);
+    return status;
+}
+
+
 /* one batch of steps at time *t of the pull; *open gets the number of open pairs */
 static mus_status sew_batch(mus_drape *drape, mus__progress *run, double *t, int32_t *open)
 {
-    static const mus__relax_rule rule = {.drag = SEW_DRAG, .speed_limit = SEW_SPEED, .grip = SEW_GRIP};
     const double all = drape->def.sew_seconds;
     stiffen(drape, *t, all);
-    const double h = mus__relax_step(drape, SEW_SAFETY, SEW_TRAVEL * drape->def.clearance / SEW_SPEED);
+    const double h = mus__sew_step(drape);
     drape->program.seam_pull = drape->relax.raised * pull_at(drape->def.seam_pull, *t, all);
     if (!run->sleeved && lateness(*t, all) > PASS_LATE && *open <= fmax(PASS_PAIRS, PASS_SHARE * drape->program.npair))
         let_pass(drape);
-    mus_status status = mus__relax_ready(drape, &rule, h);
-    if (status != MUS_OK) return status;
     int32_t steps = CHECK_STEPS;
-    status = mus__relax_run(drape, run, h, &steps, 0);
-    mus__drape_tick(drape, steps, h, 1);
+    const mus_status status = mus__sew_run(drape, run, h, &steps);
     *t += steps * h;
     drape->counters.sew_time += steps * h;
     *open = count_open(&drape->program);

@@ -13,6 +13,11 @@
 /* take the memory of sewing, if need be; it is kept until the drape is destroyed. Errors: MUS_ERR_MEMORY */
 mus_status mus__sew_create(mus_drape *drape);
 
+/* the step [s] of sewing at this pose, and *steps of them, without gravity: *steps gets the number that was taken, and
+ * the clock is told. Errors: those of mus__relax_run(), MUS_ERR_MEMORY */
+double mus__sew_step(mus_drape *drape);
+mus_status mus__sew_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps);
+
 /* ---- seam_route.c ---- */
 
 typedef enum mus__straps { MUS__STRAPS_NONE, MUS__STRAPS_ON, MUS__STRAPS_OFF } mus__straps;

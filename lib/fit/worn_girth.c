@@ -20,12 +20,11 @@
 #define GIRTH_LEGS (1 << MUS_WORN_LEG_LEFT | 1 << MUS_WORN_LEG_RIGHT)
 
 
-/* length of a tape round a contour [m]; *centre (3) gets the mean of its points */
-static double girth_contour(const mus_body *body, int32_t limb, int32_t contour, double *centre)
+double mus__worn_contour(const mus_body *body, int32_t limb, int32_t contour, double *centre)
 {
-    double dot[3 * GIRTH_DOTS] = {0.0}, girth = 0.0;
-    mus_body_contour_points(body, limb, contour, GIRTH_DOTS, dot);
+    double dot[3 * GIRTH_DOTS], girth = 0.0;
     for (int32_t d = 0; d < 3; d++) centre[d] = 0.0;
+    if (mus_body_contour_points(body, limb, contour, GIRTH_DOTS, dot) != MUS_OK) return 0.0;
     for (int32_t i = 0; i < GIRTH_DOTS; i++) {
         const double *a = dot + 3 * (ptrdiff_t)i, *b = dot + 3 * (ptrdiff_t)((i + 1) % GIRTH_DOTS);
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -50,13 +49,13 @@ static double girth_least(const mus_body *body, int32_t limb, const double *plac
     const int32_t n = mus_body_contour_count(body, limb);
     double nearest[3] = {0.0}, centre[3], near = INFINITY, least = INFINITY;
     for (int32_t k = 0; k < n; k++) {
-        girth_contour(body, limb, k, centre);
+        mus__worn_contour(body, limb, k, centre);
         if (!(girth_apart(centre, place) < near)) continue;
         near = girth_apart(centre, place);
         for (int32_t d = 0; d < 3; d++) nearest[d] = centre[d];
     }
     for (int32_t k = 0; k < n; k++) {
-        const double girth = girth_contour(body, limb, k, centre);
+        const double girth = mus__worn_contour(body, limb, k, centre);
         if (girth_apart(centre, nearest) > GIRTH_REACH) continue;
         if (girth_apart(centre, chest) > far) continue;
         least = fmin(least, girth);

@@ -12,24 +12,7 @@
 #include "fit/worn_internal.h"
 #include "geom/vec.h"
 
-#define HOOD_DOTS 32   /* corners of the polygon that stands for a contour */
 #define HOOD_HAND 0.06 /* [m] to both sides of the middle, that a hand takes; chosen: less leaves a notch */
-
-
-/* girth of a contour of a limb [m], and its centre (3) */
-static double hood_girth(const mus_body *body, int32_t limb, int32_t contour, double *centre)
-{
-    double dot[3 * HOOD_DOTS], girth = 0.0;
-    for (int32_t d = 0; d < 3; d++) centre[d] = 0.0;
-    if (mus_body_contour_points(body, limb, contour, HOOD_DOTS, dot) != MUS_OK) return 0.0;
-    for (int32_t i = 0; i < HOOD_DOTS; i++) {
-        const double *a = dot + 3 * (ptrdiff_t)i, *b = dot + 3 * (ptrdiff_t)((i + 1) % HOOD_DOTS);
-        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        girth += mus__norm3(d);
-        for (int32_t e = 0; e < 3; e++) centre[e] += a[e] / HOOD_DOTS;
-    }
-    return girth;
-}
 
 
 void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head *out)
@@ -39,7 +22,7 @@ void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head 
     memset(out, 0, sizeof *out);
     if (last < 1) return;
     for (int32_t k = mus_body_contour_count(body, torso); k-- > 0;) { /* from the crown down they grow until there */
-        const double own = hood_girth(body, torso, k, centre);
+        const double own = mus__worn_contour(body, torso, k, centre);
         if (!(own > girth)) break;
         girth = own;
         memcpy(out->brow, centre, sizeof centre);

@@ -91,7 +91,9 @@ typedef struct mus__worn_call {
 void mus__worn_note(const mus__worn_call *call, int32_t kind, int32_t limb, int32_t loop, int32_t node, double value,
                     const char *text);
 
-/* worn_girth.c: openings that are too small for their limb where they start; before anything is sewn */
+/* worn_girth.c: a tape round a contour of a limb [m], 0 where there is none; centre (3): the mean of its points */
+double mus__worn_contour(const mus_body *body, int32_t limb, int32_t contour, double *centre);
+/* openings that are too small for their limb where they start; before anything is sewn */
 void mus__worn_girths(const mus__worn_call *call);
 /* worn_level.c: heights and shoulders */
 void mus__worn_levels(const mus__worn_call *call);

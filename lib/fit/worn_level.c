@@ -26,7 +26,6 @@
 #define HANG_LOW 0.08      /* [m] below what carries an opening; the slide at which mus_drape_settle() gives up */
 #define HANG_ROLLED 0.5    /* of the height of a skirt or trousers */
 #define HANG_LOOK 0.5      /* [m] from between the eyes forwards: beyond every hood */
-#define HANG_DOTS 64       /* points of a contour of the trunk */
 #define HANG_ARMS (1 << MUS_WORN_ARM_LEFT | 1 << MUS_WORN_ARM_RIGHT)
 #define HANG_LEGS (1 << MUS_WORN_LEG_LEFT | 1 << MUS_WORN_LEG_RIGHT)
 
@@ -127,13 +126,9 @@ static double hang_girth(const mus__worn_call *call, int32_t torso, double heigh
 {
     double below = -INFINITY, above = INFINITY, low = INFINITY, high = 0.0;
     for (int32_t k = 0; k < mus_body_contour_count(call->body, torso); k++) {
-        double dot[3 * HANG_DOTS], girth = 0.0, at = 0.0;
-        if (mus_body_contour_points(call->body, torso, k, HANG_DOTS, dot) != MUS_OK) continue;
-        for (int32_t i = 0; i < HANG_DOTS; i++) {
-            const double *a = dot + 3 * (ptrdiff_t)i, *b = dot + 3 * (ptrdiff_t)((i + 1) % HANG_DOTS);
-            const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-            girth += mus__norm3(d), at += mus__dot3(call->axes.up, a) / HANG_DOTS;
-        }
+        double centre[3];
+        const double girth = mus__worn_contour(call->body, torso, k, centre), at = mus__dot3(call->axes.up, centre);
+        if (girth == 0.0) continue;
         if (at <= height && at > below) below = at, low = girth;
         if (at > height && at < above) above = at, high = girth;
     }

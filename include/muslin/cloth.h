@@ -88,7 +88,8 @@ typedef struct mus_cloth_def {
     const mus_fabric *fabric; /* NULL (default): the default fabric; read during the call and not kept */
     int32_t bending;        /* MUS_BEND_PLATE (default) or MUS_BEND_PAPER */
     double paper_curvature; /* at which the paper's springs resist as the fabric [1/m], default 30, 0.1..1000 */
-    int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start */
+    int32_t coarser;        /* nonzero (default): keep coarser cuts too, from which sew and settle start; those of a
+                             * pattern are of stiffer cloth, with a bending length of at least two cells */
     int32_t nodes_most;     /* a pattern that takes more nodes is refused, default MUS_CLOTH_NODES, 1..2^24 */
 } mus_cloth_def;
 

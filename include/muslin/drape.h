@@ -309,11 +309,12 @@ typedef int32_t (*mus_progress_fn)(void *user, const mus_progress *progress);
  * Pull all seams shut and weld them. Gravity is off meanwhile, the body holds its fingers together, and its feet are
  * away; mus_drape_settle() lets them in.
  *
- * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser). With self_contact, panels that begin over each
- * other in one plane are moved apart first: the lower one goes down; of two side by side, each goes half of the way. A
- * few sheets of cloth between the last pairs of a seam do not keep it open: the pairs are welded, and crossings are
- * drawn apart as by mus_drape_untangle(). Worn layers do keep it open: a seam that would go through them stays open,
- * and the error tells so. Crossings that are left are counted by mus_drape_crossings().
+ * The coarser cuts of the cloth are sewn first (mus_cloth_def.coarser). Where the panels of a seam are placed as one
+ * goes on from the other, its bending acts from the start and turns both sides towards one plane. With self_contact,
+ * panels that begin over each other in one plane are moved apart first: the lower one goes down; of two side by side,
+ * each goes half of the way. A few sheets of cloth between the last pairs of a seam do not keep it open: the pairs are
+ * welded, and crossings are drawn apart as by mus_drape_untangle(). Worn layers do keep it open: a seam that would go
+ * through them stays open, and the error tells so. Crossings that are left are counted by mus_drape_crossings().
  * Errors: MUS_ERR_SEW (the message names the seam and its gap; the state is as far as it got); MUS_ERR_STOPPED (by
  *         `progress`; the state is as far as it got); MUS_ERR_DIVERGED; MUS_ERR_MEMORY (the state is as far as it
  *         got: place it and sew again)

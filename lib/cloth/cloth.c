@@ -104,6 +104,25 @@ static mus_status cloth_names(mus_cloth *cloth, const mus_pattern *pattern)
 }
 
 
+/* is the panel of a node placed nearer to level than to upright? */
+static bool cloth_lies(const mus_cloth *cloth, int32_t node)
+{
+    const mus_placement *place = &cloth->panel[cloth->node_panel[node]].placement;
+    return place->rotation[5] * place->rotation[5] > 0.5; /* the height of the plane's normal */
+}
+
+
+/* on a stiffened cut: panels that are placed lying, as a collar on the shoulders, stay as soft as their fabric, whose
+ * weight lays them down. Stiff ones would stand up round the neck */
+static void cloth_soften_lying(mus_cloth *cloth, double share)
+{
+    for (int32_t b = 0; b < cloth->nbend; b++)
+        if (cloth_lies(cloth, cloth->bend[b].a)) cloth->bend[b].k *= share;
+    for (int32_t h = 0; h < cloth->nhinge; h++)
+        if (cloth_lies(cloth, cloth->hinge[h].node[0])) cloth->hinge[h].k *= share;
+}
+
+
 /* mesh all panels, then join them along seams, then adjust the springs */
 static mus_status cloth_build(mus__mesh *mesh)
 {
@@ -123,21 +142,13 @@ static mus_status cloth_build(mus__mesh *mesh)
     }
     if (status == MUS_OK) status = mus__mesh_seams(mesh);
     if (status == MUS_OK) status = mus__mesh_calibrate(mesh);
+    if (status == MUS_OK && mesh->lying_share < 1.0) cloth_soften_lying(cloth, mesh->lying_share);
     if (status == MUS_OK) status = mus__mesh_limit(mesh);
+    if (status == MUS_OK) status = mus__mesh_turns(mesh);
     if (status == MUS_OK) status = mus__mesh_held(mesh);
     if (status == MUS_OK) status = mus__mesh_pleats(mesh);
     for (int32_t i = 0; i < cloth->nnode; i++) cloth->mass_total += cloth->mass[i];
     return status;
-}
-
-
-/* the coarser cuts of a cloth. A pattern that cannot be meshed so coarsely has none. Errors: MUS_ERR_MEMORY */
-static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, const mus_cloth_def *def)
-{
-    mus_cloth_def coarse = *def;
-    if (!mus__cloth_coarser(cloth, def, &coarse.spacing)) return MUS_OK;
-    const mus_status status = mus_cloth_create(cloth->context, pattern, &coarse, &cloth->coarse);
-    return status == MUS_ERR_MEMORY ? status : MUS_OK;
 }
 
 
@@ -171,6 +182,60 @@ static mus_status cloth_limit(mus_context *context, const mus_pattern *pattern, 
 }
 
 
+/* cuts and meshes a pattern at the spacing and of the fabric of the options, without coarser cuts; `lying_share` is
+ * that of the mesh */
+static mus_status cloth_cut(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
+                            double lying_share, mus_cloth **out)
+{
+    mus__mesh mesh = {
+        .context = context, .pattern = pattern, .nodes_most = def->nodes_most, .lying_share = lying_share};
+    if (def->bending == MUS_BEND_PAPER) mesh.paper = def->paper_curvature;
+    mus_cloth *cloth = mus__cloth_new(context);
+    if (cloth == NULL) return mus__fail_memory(context, "a cloth");
+    cloth->fabric = *def->fabric, cloth->spacing = def->spacing;
+    if (def->bending == MUS_BEND_PLATE) cloth->bend_slide = mus__fabric_slide(&cloth->fabric);
+    cloth->npanel = mus_pattern_panel_count(pattern);
+    cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
+    mesh.cloth = cloth;
+    mesh.seam_bend = mus__new(context, 4 * (int64_t)cloth->npanel, sizeof *mesh.seam_bend);
+    mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
+    mus_status status = MUS_OK;
+    if (cloth->panel == NULL || mesh.edge == NULL || mesh.seam_bend == NULL)
+        status = mus__fail_memory(context, "a cloth");
+    if (status == MUS_OK) status = cloth_names(cloth, pattern);
+    if (status == MUS_OK) status = cloth_build(&mesh);
+    mus__free(context, mesh.edge);
+    mus__free(context, mesh.wing);
+    mus__free(context, mesh.first_rim);
+    mus__free(context, mesh.inner);
+    mus__free(context, mesh.inner_wing);
+    mus__free(context, mesh.seam_bend);
+    mus__free(context, mesh.partner);
+    if (status == MUS_OK)
+        *out = cloth;
+    else
+        mus_cloth_destroy(cloth);
+    return status;
+}
+
+
+/* the coarser cuts of a cloth. A pattern that cannot be meshed so coarsely has none. Errors: MUS_ERR_MEMORY */
+static mus_status cloth_coarsen(mus_cloth *cloth, const mus_pattern *pattern, const mus_cloth_def *def)
+{
+    mus_fabric stiff = *def->fabric;
+    mus_cloth_def coarse = *def;
+    coarse.fabric = &stiff;
+    double lying_share = 1.0;
+    mus_status status = MUS_OK;
+    while (status == MUS_OK && mus__cloth_coarser(cloth, def, &coarse.spacing)) {
+        lying_share *= mus__cloth_stiffen(coarse.spacing, &stiff);
+        status = cloth_cut(cloth->context, pattern, &coarse, lying_share, &cloth->coarse);
+        cloth = cloth->coarse;
+    }
+    return status == MUS_ERR_MEMORY ? status : MUS_OK;
+}
+
+
 mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def, mus_cloth **out)
 {
     if (out != NULL) *out = NULL;
@@ -190,35 +255,15 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
     if (status == MUS_OK) status = cloth_limit(context, pattern, &own);
     if (status != MUS_OK) return status;
 
-    mus__mesh mesh = {.context = context, .pattern = pattern, .nodes_most = own.nodes_most};
-    if (own.bending == MUS_BEND_PAPER) mesh.paper = own.paper_curvature;
-    mus_cloth *cloth = mus__cloth_new(context);
-    if (cloth == NULL) return mus__fail_memory(context, "a cloth");
-    cloth->fabric = fabric, cloth->spacing = own.spacing;
-    if (own.bending == MUS_BEND_PLATE) cloth->bend_slide = mus__fabric_slide(&cloth->fabric);
-    cloth->npanel = mus_pattern_panel_count(pattern);
-    cloth->panel = mus__new(context, cloth->npanel, sizeof *cloth->panel);
-    mesh.cloth = cloth;
-    mesh.seam_bend = mus__new(context, 4 * (int64_t)cloth->npanel, sizeof *mesh.seam_bend);
-    mesh.edge = mus__new(context, mus_pattern_edge_count(pattern), sizeof *mesh.edge);
-    if (cloth->panel == NULL || mesh.edge == NULL || mesh.seam_bend == NULL)
-        status = mus__fail_memory(context, "a cloth");
-    if (status == MUS_OK) status = cloth_names(cloth, pattern);
-    if (status == MUS_OK) status = cloth_build(&mesh);
+    mus_cloth *cloth = NULL;
+    status = cloth_cut(context, pattern, &own, 1.0, &cloth);
     if (status == MUS_OK) status = cloth_coarsen(cloth, pattern, &own);
-    /* a warning comes once: from the coarsest cut */
     const double cell[2] = {own.spacing, own.spacing};
-    if (status == MUS_OK && cloth->coarse == NULL) mus__fabric_note(context, &fabric, cell);
-    mus__free(context, mesh.edge);
-    mus__free(context, mesh.wing);
-    mus__free(context, mesh.first_rim);
-    mus__free(context, mesh.inner);
-    mus__free(context, mesh.inner_wing);
-    mus__free(context, mesh.seam_bend);
     if (status == MUS_OK)
-        *out = cloth;
+        mus__fabric_note(context, &fabric, cell);
     else
         mus_cloth_destroy(cloth);
+    if (status == MUS_OK) *out = cloth;
     return status;
 }
 
@@ -239,8 +284,8 @@ void mus_cloth_destroy(mus_cloth *cloth)
     void *blocks[] = {cloth->panel,  cloth->rest,       cloth->mass, cloth->node_panel, cloth->triangle,
                       cloth->border, cloth->row,        cloth->run,  cloth->bend,       cloth->spring,
                       cloth->hinge,  cloth->seam_hinge, cloth->pair, cloth->pair_seam,  cloth->pair_length,
-                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold, cloth->names,
-                      cloth->warp,   cloth->pleat,      cloth->cell};
+                      cloth->place,  cloth->dashpot,    cloth->pin,  cloth->hold,       cloth->names,
+                      cloth->warp,   cloth->pleat,      cloth->cell, cloth->seam_turn};
     mus_context *context = cloth->context;
     mus_cloth_destroy(cloth->coarse);
     for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++) mus__free(context, blocks[i]);

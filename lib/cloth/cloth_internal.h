@@ -90,9 +90,9 @@ struct mus_cloth {
     mus__cell_run *cell;       /* (ncell) all full cells; none without a coupling */
     mus__spring *spring;       /* (nspring) of the strip, the border, and lattice edges beside the strip */
     mus__hinge *hinge;         /* (nhinge) bending in the strip */
-    mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams, acting once the seam is welded */
-    int32_t *pair;             /* (npair x 2) */
-    int32_t *pair_seam;        /* (npair) */
+    mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams once both sides are welded */
+    mus__hinge *seam_turn;     /* (nseam_hinge x 3) and before; nodes 0 and 1 of the first are sewn to each other */
+    int32_t *pair, *pair_seam; /* (npair x 2), (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
     mus__hold *hold;           /* (nhold) */
     mus__pleat *pleat;         /* (npleat) ascending panels */

@@ -4,7 +4,15 @@
  *
  * Each cut has twice the spacing of the one before. The last one of a pattern is at 40 mm. A cloth with pleats has no
  * coarser cut: the layers of a pleat are narrower than its cells.
+ *
+ * The coarser cut of a pattern is of stiffer cloth. Soft cloth folds within a few of its cells while its seams are
+ * drawn together, when no weight straightens it: a waistband rolls up, a hem turns over, and the finer cut keeps what
+ * friction and the body then hold. Cloth whose bending length is longer than its cells cannot: it comes to where its
+ * pattern lies smoothly round the body, and the finer cuts let the stiffness out step by step (a continuation from
+ * stiff to soft).
  */
+#include <math.h>
+
 #include "cloth/mesh.h"
 
 /* [m] spacing of the coarsest cut of a pattern. Chosen: with larger cells a sleeve is no longer round */
@@ -16,6 +24,10 @@
 /* nodes below which a pattern, and a grid, has no coarser cut: it settles as fast without. Chosen */
 #define FEWEST_NODES 400
 #define FEWEST_GRID_NODES 200
+/* bending length of the cloth of a coarser cut over its spacing, at least. Chosen: with 1 hems stay turned up, with 3
+ * points of strapless tops stand away from the back and fall over */
+#define STIFF_CELLS 2.0
+#define STANDARD_GRAVITY 9.81 /* [m/s2] for the bending length */
 
 
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing)
@@ -24,6 +36,18 @@ bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double
     if (def->coarser == 0 || cloth->spacing > NEXT_TO_COARSEST || cloth->nnode < FEWEST_NODES) return false;
     *spacing = 2.0 * cloth->spacing > NEXT_TO_COARSEST ? COARSEST : 2.0 * cloth->spacing;
     return true;
+}
+
+
+double mus__cloth_stiffen(double spacing, mus_fabric *fabric)
+{
+    /* bending length: the third root of rigidity over weight (Peirce 1930) */
+    const double length = STIFF_CELLS * spacing, *bend = fabric->bend;
+    const double asked = STANDARD_GRAVITY * fabric->weight * length * length * length;
+    const double softest = fmin(fmin(bend[0], bend[1]), bend[2]);
+    if (softest >= asked) return 1.0;
+    for (int k = 0; k < 3; k++) fabric->bend[k] += asked - softest;
+    return softest / asked;
 }
 
 

@@ -21,7 +21,7 @@ typedef struct mus__mesh {
     const mus_pattern *pattern;
     mus_cloth *cloth; /* its arrays grow; capacities here */
     int32_t cap_rest, cap_mass, cap_node_panel, cap_triangle, cap_border, cap_row, cap_run, cap_bend, cap_spring,
-        cap_hinge, cap_hold, cap_seam_hinge, cap_pair, cap_pair_seam, cap_pair_length, cap_wing, cap_inner,
+        cap_hinge, cap_hold, cap_seam_hinge, cap_partner, cap_pair, cap_pair_seam, cap_pair_length, cap_wing, cap_inner,
         cap_inner_wing, cap_pleat, cap_cell;
     mus__edge_nodes *edge; /* (pattern's edges) */
     int32_t *wing;         /* (nborder) corner opposite to the border side that starts at this place */
@@ -34,10 +34,12 @@ typedef struct mus__mesh {
     int32_t *inner;        /* (ninner) nodes of lines, count + 1 for each */
     int32_t *inner_wing;   /* (ninner x 2) corners to the left and right of the side that starts there */
     int32_t ninner;
+    int32_t *partner;      /* (hinges across seams x 2) what is sewn to their two edge nodes */
     double *seam_bend;     /* (panels x 4) what hinges across seams give each panel, by mus__mesh_curvature */
     mus__fabric_lattice constant;
     int32_t nodes_most;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
+    double lying_share; /* of the rigidity: what panels have of it that are placed lying */
 } mus__mesh;
 
 /* mesh.c: intervals of all edges; then one panel after the other: nodes, triangles, lattice (the caller frees);
@@ -72,11 +74,16 @@ mus_status mus__mesh_limit(mus__mesh *mesh);
 mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
 /* coarse_cut.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing);
+/* coarse_cut.c: the fabric of a coarser cut of that spacing [m]: no softer than a cut so coarse can lie smoothly in.
+ * Returns the rigidity that it had over what it has now */
+double mus__cloth_stiffen(double spacing, mus_fabric *fabric);
 /* coarse_cut.c: the same for a grid: nodes of both directions and cell (2) [m] of the coarser one */
 bool mus__grid_coarser(const mus_cloth *cloth, const mus_cloth_def *def, int32_t *rows, int32_t *columns,
                        const double *cell, double *coarse_cell);
 /* seam_pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
+/* seam_turns.c: those hinges while seams are open; after mus__mesh_limit() */
+mus_status mus__mesh_turns(mus__mesh *mesh);
 /* pleat_folds.c: the folds of pleats that are laid */
 mus_status mus__mesh_pleats(mus__mesh *mesh);
 /* edge_elements.c: gathered sides, elastics and attachments. It comes after mus__mesh_limit(), which must not soften

@@ -3,7 +3,8 @@
  *
  * Step k along edge a meets step n - k along edge b when the seam runs reversed, step k when direct. The hinge of an
  * interval has the border triangle of each side as its wings, in the shape that both have when the two intervals are
- * brought to their mean length; it acts once the pairs are welded and b's nodes are a's.
+ * brought to their mean length; it acts once the pairs are welded and b's nodes are a's; before that, what
+ * seam_turns.c makes of it does.
  *
  * A patch is sewn to a line inside a panel, and lies on the cloth beside it: it goes on from the cloth on the far side
  * of the line, so its hinge has its wing there, and is flat when the patch lies flat. Layers of a pleat fold where they
@@ -26,16 +27,17 @@ static int32_t pairs_partner(const mus__mesh *mesh, const mus_seam_def *seam, in
 static mus_status pairs_reserve(mus__mesh *mesh, int64_t more)
 {
     mus_cloth *cloth = mesh->cloth;
-    int64_t pairs = cloth->npair + more, hinges = cloth->nseam_hinge + more;
-    mus_status status = mus__reserve(mesh->context, &cloth->pair, &mesh->cap_pair, pairs, 2 * sizeof *cloth->pair);
+    mus_context *context = mesh->context;
+    const int64_t pairs = cloth->npair + more, hinges = cloth->nseam_hinge + more;
+    mus_status status = mus__reserve(context, &cloth->pair, &mesh->cap_pair, pairs, 2 * sizeof *cloth->pair);
     if (status == MUS_OK)
-        status = mus__reserve(mesh->context, &cloth->pair_seam, &mesh->cap_pair_seam, pairs, sizeof *cloth->pair_seam);
+        status = mus__reserve(context, &cloth->pair_seam, &mesh->cap_pair_seam, pairs, sizeof *cloth->pair_seam);
     if (status == MUS_OK)
-        status =
-            mus__reserve(mesh->context, &cloth->pair_length, &mesh->cap_pair_length, pairs, sizeof *cloth->pair_length);
+        status = mus__reserve(context, &cloth->pair_length, &mesh->cap_pair_length, pairs, sizeof *cloth->pair_length);
     if (status == MUS_OK)
-        status =
-            mus__reserve(mesh->context, &cloth->seam_hinge, &mesh->cap_seam_hinge, hinges, sizeof *cloth->seam_hinge);
+        status = mus__reserve(context, &cloth->seam_hinge, &mesh->cap_seam_hinge, hinges, sizeof *cloth->seam_hinge);
+    if (status == MUS_OK)
+        status = mus__reserve(context, &mesh->partner, &mesh->cap_partner, hinges, 2 * sizeof *mesh->partner);
     return status;
 }
 
@@ -126,14 +128,15 @@ static void pairs_hinge(mus__mesh *mesh, const mus_seam_def *seam, int32_t k)
     double rigidity = 0.5 * (pairs_rigidity(mesh, seam->edge_a, k) + pairs_rigidity(mesh, seam->edge_b, low));
     mus__hinge *hinge = &cloth->seam_hinge[cloth->nseam_hinge];
     if (!mus__mesh_hinge(mesh, node, length, foot, height, rigidity, hinge)) return;
-    cloth->nseam_hinge++;
-
-    /* the hinge of a patch is not part of its panel's calibration */
-    if (line_a || line_b) return;
 
     /* the same two ends of the interval, as nodes of b */
     const int32_t partners[2] = {mus__mesh_edge_node(mesh, seam->edge_b, partner),
                                  mus__mesh_edge_node(mesh, seam->edge_b, pairs_partner(mesh, seam, k + 1))};
+    for (int32_t i = 0; i < 2; i++) mesh->partner[2 * (ptrdiff_t)cloth->nseam_hinge + i] = partners[i];
+    cloth->nseam_hinge++;
+
+    /* the hinge of a patch is not part of its panel's calibration */
+    if (line_a || line_b) return;
     pairs_curvature(mesh, seam->edge_a, node, hinge, 2);
     pairs_curvature(mesh, seam->edge_b, partners, hinge, 3);
 }

@@ -4,6 +4,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/sort.h"
 #include "sim/bend_slider.h"
@@ -31,7 +32,7 @@ mus_status mus__program_springs_create(mus_context *context, const mus_cloth *cl
 
 mus_status mus__program_elements_create(mus_context *context, const mus_cloth *cloth, mus__program *program)
 {
-    program->hinge_capacity = cloth->nhinge + cloth->nseam_hinge;
+    program->hinge_capacity = cloth->nhinge + 3 * cloth->nseam_hinge; /* three while a seam is open */
     program->hinge = mus__new(context, program->hinge_capacity, sizeof *program->hinge);
     program->pair = mus__new(context, cloth->npair, sizeof *program->pair);
     program->attachment = mus__new(context, cloth->nhold, sizeof *program->attachment);
@@ -41,28 +42,52 @@ mus_status mus__program_elements_create(mus_context *context, const mus_cloth *c
 }
 
 
-/* nonzero when the seams of a node's panel are open */
-static int32_t is_open(const mus_cloth *cloth, const int32_t *rep, const mus__program *program, int32_t node)
+/* the upper one of the layers of two nodes */
+static int32_t upper_layer(const mus_cloth *cloth, int32_t a, int32_t b)
 {
-    return rep == NULL || (program->open_from > 0 && mus__cloth_layer(cloth, node) >= program->open_from);
+    const int32_t p = mus__cloth_layer(cloth, a), q = mus__cloth_layer(cloth, b);
+    return p > q ? p : q;
 }
 
 
-/* append the hinges within panels, or those across closed seams, with their nodes replaced by rep. A hinge that welding
- * folded onto itself (two of its nodes are one) is left out */
-static void add_hinges(mus__program *program, const mus_cloth *cloth, int32_t across, const int32_t *rep)
+/* nonzero when the seams of a layer are open */
+static int32_t is_open(const mus__program *program, const int32_t *rep, int32_t layer)
 {
-    const mus__hinge *hinges = across ? cloth->seam_hinge : cloth->hinge;
-    const int32_t n = across ? cloth->nseam_hinge : cloth->nhinge;
-    for (int32_t h = 0; h < n; h++) {
-        mus__hinge hinge = hinges[h];
-        if (across && is_open(cloth, rep, program, hinge.node[0])) continue;
-        if (rep != NULL) {
-            int32_t *i = hinge.node;
-            for (int32_t k = 0; k < 4; k++) i[k] = rep[i[k]];
-            if (i[0] == i[1] || i[2] == i[3] || i[0] == i[2] || i[0] == i[3] || i[1] == i[2] || i[1] == i[3]) continue;
-        }
-        program->hinge[program->nhinge++] = hinge;
+    return rep == NULL || (program->open_from > 0 && layer >= program->open_from);
+}
+
+
+/* nonzero when a layer waits */
+static int32_t waits(const mus__program *program, int32_t layer)
+{
+    return program->wait_from > 0 && layer >= program->wait_from;
+}
+
+
+/* append a hinge with its nodes replaced by rep. One that welding folded onto itself (two of its nodes are one) is left
+ * out */
+static void append_hinge(mus__program *program, const mus__hinge *hinge, const int32_t *rep)
+{
+    mus__hinge own = *hinge;
+    if (own.k == 0.0) return;
+    if (rep != NULL) {
+        int32_t *i = own.node;
+        for (int32_t k = 0; k < 4; k++) i[k] = rep[i[k]];
+        if (i[0] == i[1] || i[2] == i[3] || i[0] == i[2] || i[0] == i[3] || i[1] == i[2] || i[1] == i[3]) return;
+    }
+    program->hinge[program->nhinge++] = own;
+}
+
+
+/* append the hinges across seams; across one that is open those that turn its sides, unless a layer of it waits */
+static void add_seam_hinges(mus__program *program, const mus_cloth *cloth, const int32_t *rep)
+{
+    for (int32_t h = 0; h < cloth->nseam_hinge; h++) {
+        const mus__hinge *turn = cloth->seam_turn + 3 * (ptrdiff_t)h;
+        const int32_t layer = upper_layer(cloth, turn->node[0], turn->node[1]);
+        if (!is_open(program, rep, layer)) append_hinge(program, &cloth->seam_hinge[h], rep);
+        for (int32_t i = 0; i < 3 && is_open(program, rep, layer) && !waits(program, layer); i++)
+            append_hinge(program, &turn[i], rep);
     }
 }
 
@@ -95,14 +120,6 @@ static void fill_attachments(const mus_cloth *cloth, const int32_t *rep, mus__pr
 }
 
 
-/* nonzero when either node is of a layer that waits */
-static int32_t waits(const mus_cloth *cloth, const mus__program *program, int32_t a, int32_t b)
-{
-    return program->wait_from > 0 &&
-           (mus__cloth_layer(cloth, a) >= program->wait_from || mus__cloth_layer(cloth, b) >= program->wait_from);
-}
-
-
 /* dashpot constant [N s/m] of a spring of stiffness k between two nodes: the damping ratio of the fabric at the
  * frequency of the spring and the mean of the two masses */
 static double fabric_dashpot(const mus_cloth *cloth, int32_t a, int32_t b, double k)
@@ -122,7 +139,8 @@ static void fill_springs(const mus_cloth *cloth, const int32_t *rep, mus__progra
         const int32_t a = spring.a, b = spring.b;
         if (rep != NULL) spring.a = rep[spring.a], spring.b = rep[spring.b];
         if (spring.a == spring.b) continue;
-        if (spring.kind == MUS__SPRING_ELASTIC && cloth->npair > 0 && is_open(cloth, rep, program, spring.a))
+        if (spring.kind == MUS__SPRING_ELASTIC && cloth->npair > 0 &&
+            is_open(program, rep, mus__cloth_layer(cloth, spring.a)))
             spring.k *= OPEN_ELASTIC_SHARE;
         program->spring_dashpot[program->nspring] =
             cloth->dashpot != NULL ? cloth->dashpot[s] : fabric_dashpot(cloth, a, b, spring.k);
@@ -130,7 +148,7 @@ static void fill_springs(const mus_cloth *cloth, const int32_t *rep, mus__progra
     }
     for (int32_t t = 0; t < program->ntack; t++) {
         const mus__tack *tack = &program->tack[t];
-        if (tack->a == MUS_NONE || !(tack->k > 0.0) || waits(cloth, program, tack->a, tack->b)) continue;
+        if (tack->a == MUS_NONE || !(tack->k > 0.0) || waits(program, upper_layer(cloth, tack->a, tack->b))) continue;
         const mus__spring spring = {rep != NULL ? rep[tack->a] : tack->a, rep != NULL ? rep[tack->b] : tack->b,
                                     MUS__SPRING_TACK, tack->k, 0.0};
         if (spring.a == spring.b) continue;
@@ -162,14 +180,14 @@ void mus__program_elements(const mus_cloth *cloth, const int32_t *rep, mus__prog
     program->nhinge = program->npair = 0;
     fill_springs(cloth, rep, program);
     fill_attachments(cloth, rep, program);
-    add_hinges(program, cloth, 0, rep);
-    add_hinges(program, cloth, 1, rep);
+    for (int32_t h = 0; h < cloth->nhinge; h++) append_hinge(program, &cloth->hinge[h], rep);
+    add_seam_hinges(program, cloth, rep);
 
     /* pairs of seams that are open and do not wait */
     for (int32_t p = 0; p < cloth->npair; p++) {
         const int32_t a = cloth->pair[2 * p], b = cloth->pair[2 * p + 1];
-        if ((!is_open(cloth, rep, program, a) && !is_open(cloth, rep, program, b)) || waits(cloth, program, a, b))
-            continue;
+        const int32_t layer = upper_layer(cloth, a, b);
+        if (!is_open(program, rep, layer) || waits(program, layer)) continue;
         program->pair[program->npair++] = (mus__seam_pair){
             .a = a, .b = b, .seam = cloth->pair_seam[p], .length = cloth->pair_length[p], .pull_share = 1.0};
     }

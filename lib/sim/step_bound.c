@@ -35,7 +35,7 @@ static void add_isotropic(const mus__program *program, double *t)
         const mus__hinge *hinge = &program->hinge[h];
         double size = 0.0;
         for (int32_t k = 0; k < 4; k++) size += fabs(hinge->coef[k]);
-        for (int32_t k = 0; k < 4; k++) t[hinge->node[k]] += hinge->k * size * fabs(hinge->coef[k]);
+        for (int32_t k = 0; k < 4; k++) t[hinge->node[k]] += fabs(hinge->k) * size * fabs(hinge->coef[k]);
     }
     for (int32_t p = 0; p < program->npair; p++) {
         t[program->pair[p].a] += 2.0 * program->pair[p].k;

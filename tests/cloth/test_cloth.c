@@ -45,6 +45,42 @@ START_TEST(the_same_pattern_makes_the_same_cloth)
 END_TEST
 
 
+/* bending length [m] of the softest direction of a cloth (Peirce 1930) */
+static double bending_length(const mus_cloth *cloth)
+{
+    const double *bend = cloth->fabric.bend, softest = fmin(fmin(bend[0], bend[1]), bend[2]);
+    return cbrt(softest / (9.81 * cloth->fabric.weight));
+}
+
+
+/* the cloth itself is as soft as its fabric; what is coarser is as long in bending as two of its cells */
+START_TEST(coarser_cuts_are_stiffer_the_coarser_they_are)
+{
+    mus_context *context = support_context();
+    mus_pattern *pattern = cut_begin(context);
+    cut_skirt(pattern);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    for (int stiff = 0; stiff < 2; stiff++) {
+        if (stiff) fabric.bend[0] = fabric.bend[1] = fabric.bend[2] = 0.5;
+        mus_cloth *cloth = cut_cloth(context, pattern, 0.01, &fabric);
+        int32_t cuts = 0;
+        ck_assert_double_eq(cloth->fabric.bend[0], fabric.bend[0]);
+        for (const mus_cloth *coarse = cloth->coarse; coarse != NULL; coarse = coarse->coarse, cuts++) {
+            if (stiff)
+                ck_assert_double_eq(coarse->fabric.bend[1], 0.5);
+            else
+                ck_assert_double_eq_tol(bending_length(coarse), 2.0 * coarse->spacing, 1e-12);
+        }
+        ck_assert_int_eq(cuts, 2);
+        mus_cloth_destroy(cloth);
+    }
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(questions_have_answers)
 {
     mus_context *context = support_context();
@@ -244,6 +280,7 @@ Suite *mus_suite_cloth(void)
     TCase *tests = tcase_create("cloth");
     tcase_set_timeout(tests, 30.0);
     tcase_add_test(tests, the_same_pattern_makes_the_same_cloth);
+    tcase_add_test(tests, coarser_cuts_are_stiffer_the_coarser_they_are);
     tcase_add_test(tests, questions_have_answers);
     tcase_add_test(tests, a_retained_cloth_lives_until_its_last_owner_goes);
     tcase_add_test(tests, what_cannot_be_cut_is_refused_by_name);

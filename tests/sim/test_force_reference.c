@@ -3,6 +3,7 @@
  * M9).
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,6 +160,46 @@ START_TEST(rigid_motion_makes_no_force)
 END_TEST
 
 
+/* the upper strip turned by an angle about the line of its seam and moved away by `shift` (3) from places `flat`: the
+ * energy [J] */
+static double forces_turned(forces_scene *s, const double *flat, double angle, const double *shift)
+{
+    for (int32_t i = 0; i < s->n; i++) {
+        double *x = s->x + 3 * i;
+        memcpy(x, flat + 3 * i, 3 * sizeof *x);
+        if (s->cloth->node_panel[i] != 1) continue;
+        const double height = x[1] - 1.2;
+        x[0] += shift[0];
+        x[1] = 1.2 + height * cos(angle) + shift[1];
+        x[2] += height * sin(angle) + shift[2];
+    }
+    return mus__program_force(&s->drape->program, s->n, s->x, s->f);
+}
+
+
+/* both sides of an open seam turn towards one plane, by their directions alone: C (1 - cos t) however far apart they
+ * are, with C of the welded seam where the sides are folded by a right angle */
+START_TEST(sides_of_an_open_seam_turn_to_one_plane_from_any_distance)
+{
+    static const double shifts[3][3] = {{0.0, 0.0, 0.0}, {0.0, -0.1, 0.0}, {0.3, 0.2, -0.4}};
+    forces_scene s = forces_open(64, 0, 0.0), welded = forces_open(64, 1, 0.0);
+    double *flat = malloc(3 * (size_t)s.n * sizeof *flat);
+    memcpy(flat, mus_drape_positions(s.drape), 3 * (size_t)s.n * sizeof *flat);
+    const double right = forces_turned(&s, flat, acos(0.0), shifts[0]);
+    const double fold = forces_turned(&welded, flat, acos(0.0), shifts[1]);
+    printf("an open seam at a right angle: %.6g J, welded %.6g J\n", right, fold);
+    ck_assert_double_gt(right, 1e-9);
+    ck_assert_double_eq_tol(right, fold, 1e-9 * fold);
+    for (int k = 0; k < 3; k++)
+        for (double t = -3.0; t < 3.1; t += 0.5)
+            ck_assert_double_eq_tol(forces_turned(&s, flat, t, shifts[k]), right * (1.0 - cos(t)), 1e-9 * right);
+    free(flat);
+    forces_close(&welded);
+    forces_close(&s);
+}
+END_TEST
+
+
 /* the bound is on the stiffness: no mode of the lattice is faster; power iteration reads the fastest */
 START_TEST(step_bound_is_below_the_limit_and_close_to_it)
 {
@@ -205,6 +246,7 @@ Suite *mus_suite_force_reference(void)
     tcase_add_loop_test(tests, forces_and_moments_cancel, 0, 2);
     tcase_add_loop_test(tests, force_is_the_gradient_of_the_energy, 0, 2);
     tcase_add_test(tests, rigid_motion_makes_no_force);
+    tcase_add_test(tests, sides_of_an_open_seam_turn_to_one_plane_from_any_distance);
     tcase_add_test(tests, step_bound_is_below_the_limit_and_close_to_it);
     suite_add_tcase(suite, tests);
     return suite;

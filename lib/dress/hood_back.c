@@ -2,17 +2,18 @@
  * hood_back.c: a hood that would hang over the face is drawn back, as its wearer draws it.
  *
  * A hood that is sewn stands round the head, and where it is deeper than the head its edge stands before the face. Let
- * down as it is it hangs over the eyes. So a hand takes the middle of the edge, draws it over the crown, that what is
- * too deep comes behind the head, and forwards again until it lies half way from the brow to the crown, where hair
- * begins. It is held there while the garment is let down; then friction and the weight behind hold it.
+ * down as it is it hangs over the eyes. So two hands take the edge to both sides of its middle, draw it over the crown,
+ * that what is too deep comes behind the head, and forwards and down again until it lies half way from the brow to the
+ * crown, where hair begins. It is held there while the garment is let down; then friction and the weight behind hold
+ * it.
  *
- * The edge in the hand lies on a great circle of the head's dome that turns about the axis from ear to ear: a hair band
- * that is pushed back. An edge that cannot come before the hairline is left alone.
+ * The edge in the hands lies on a great circle of the head's dome that turns about the axis from ear to ear: a hair
+ * band that is pushed back. The hands give it a speed, and no place: a fold that is in its way stops it. An edge that
+ * cannot come before the hairline is left alone.
  */
 #include <math.h>
 
 #include "base/elementary.h"
-#include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "dress/hood_back.h"
 #include "dress/sew.h"
@@ -20,8 +21,8 @@
 
 #define BACK_HAIRLINE (0.25 * MUS_PI) /* [rad] above the brow: half way to the crown */
 #define BACK_CROWN (0.5 * MUS_PI)     /* [rad] above the brow: straight above its centre */
-#define BACK_SECONDS 0.5 /* [s] of the drawing, half of it to the crown; chosen: in 0.25 s folds stay in front */
-#define BACK_STEPS 8     /* between two places of the hand: less than 2 mm of its way */
+#define BACK_SECONDS 1.0 /* [s] of the drawing, half of it to the crown; chosen: in 0.5 s it is 6 degrees late */
+#define BACK_STEPS 8     /* of sewing between two looks of the hands: 3 mm of their way at most */
 #define BACK_REACH 0.4   /* [m] from the centre of the brow: beyond every head */
 #define BACK_HALVINGS 16 /* of it: to a hundredth of a millimetre */
 
@@ -59,8 +60,8 @@ static double back_skin(const mus_drape *drape, const mus__head *head, const dou
 }
 
 
-/* moves the hand to the share t of its time */
-static void back_move(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, double t)
+/* gives the edge the speed that brings it in `time` [s] to its place at the share t of the way */
+static void back_move(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, double t, double time)
 {
     double way[3];
     const double up = fmin(2.0 * t, 1.0), down = fmax(2.0 * t - 1.0, 0.0);
@@ -70,13 +71,13 @@ static void back_move(mus_drape *drape, const mus__hood_edge *hood, const back_h
         const int32_t r = drape->rep[hood->node[k]];
         const double angle = hold[k].angle + up * (BACK_CROWN - hold[k].angle) + down * (BACK_HAIRLINE - BACK_CROWN);
         back_way(&hood->head, angle, hold[k].turn + up * (hood->along[k] / radius - hold[k].turn), way);
-        const double skin = back_skin(drape, &hood->head, way), far = skin + (1.0 - up) * fmax(hold[k].far - skin, 0.0);
+        const double skin = back_skin(drape, &hood->head, way);
+        const double far = skin + (1.0 - down) * fmax(hold[k].far - skin, 0.0), *x = drape->x + 3 * (int64_t)r;
         for (int32_t i = 0; i < drape->n; i++)
             for (int32_t d = 0; d < 3 && drape->rep[i] == r; d++)
-                drape->x[3 * (int64_t)i + d] = hood->head.brow[d] + far * way[d];
+                drape->v[3 * (int64_t)i + d] = (hood->head.brow[d] + far * way[d] - x[d]) / time;
     }
     mus__drape_push(drape);
-    if (drape->self != NULL) drape->self->invalid = 1;
 }
 
 
@@ -109,14 +110,14 @@ static bool back_deep(const mus_drape *drape, const mus__head *head, const back_
 }
 
 
-/* moves the pinned edge, with the steps of sewing */
+/* moves the edge, with the steps of sewing */
 static mus_status back_draw(mus_drape *drape, const mus__hood_edge *hood, const back_hold *hold, mus__progress *run)
 {
     mus_status status = mus__drape_plane_cache(drape);
     for (double t = 0.0; t < BACK_SECONDS && status == MUS_OK && !run->stop;) {
         const double h = mus__sew_step(drape);
         int32_t steps = BACK_STEPS;
-        back_move(drape, hood, hold, fmin((t + steps * h) / BACK_SECONDS, 1.0));
+        back_move(drape, hood, hold, fmin((t + steps * h) / BACK_SECONDS, 1.0), steps * h);
         status = mus__sew_run(drape, run, h, &steps);
         t += steps * h;
         drape->counters.settle_time += steps * h;
@@ -139,8 +140,8 @@ mus_status mus__hood_back(mus_drape *drape, const mus_pattern *pattern, const mu
         hood->count = 0;
         return MUS_OK;
     }
+    status = back_draw(drape, hood, hold, run);
     for (int32_t k = 0; k < hood->count && status == MUS_OK; k++) status = mus_drape_pin(drape, hood->node[k], 1);
-    if (status == MUS_OK) status = back_draw(drape, hood, hold, run);
     if (status != MUS_OK || run->stop) mus__hood_release(drape, hood);
     return status;
 }

@@ -149,6 +149,7 @@ static mus_status worn_check(mus__worn_call *call, int32_t parts)
         if (status == MUS_OK && (parts & MUS__WORN_GIRTHS) != 0) mus__worn_girths(call);
         if (status == MUS_OK && (parts & MUS__WORN_OPENINGS) != 0) worn_openings(call);
         if (status == MUS_OK && (parts & MUS__WORN_HANGS) != 0) {
+            mus__worn_over(&call->axes, call->x, &call->loops);
             mus__worn_levels(call);
             status = worn_tight(call);
         }

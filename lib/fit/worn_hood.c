@@ -12,7 +12,8 @@
 #include "fit/worn_internal.h"
 #include "geom/vec.h"
 
-#define HOOD_HAND 0.06 /* [m] to both sides of the middle, that a hand takes; chosen: less leaves a notch */
+/* [m] to both sides of the middle, to the temples, that two hands take; chosen: less leaves a notch */
+#define HOOD_HAND 0.12
 
 
 void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head *out)
@@ -36,7 +37,7 @@ void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head 
 }
 
 
-/* takes the nodes of a loop within a hand's reach of its place `middle` */
+/* takes the nodes of a loop within the reach of two hands round its place `middle` */
 static void hood_take(const mus_drape *drape, const int32_t *loop, int32_t count, int32_t middle, mus__hood_edge *out)
 {
     double lean = 0.0;
@@ -71,6 +72,7 @@ mus_status mus__fit_hood(const mus_drape *drape, const mus_pattern *pattern, con
     mus__arrange_nodes(drape->cloth, placed);
     mus_status status = mus__worn_loops_make(drape->context, drape->cloth, &loops);
     if (status == MUS_OK) status = mus__worn_expect(pattern, drape->cloth, &axes, placed, &loops);
+    if (status == MUS_OK) mus__worn_over(&axes, drape->x, &loops);
     const mus__worn_loop *edge = NULL;
     int32_t middle = 0;
     double high = -INFINITY;

@@ -6,7 +6,7 @@
 
 #include "muslin/fit.h"
 
-#define MUS__HOOD_HAND 64 /* nodes that a hand takes at most; a finer cut has the first of them */
+#define MUS__HOOD_HAND 256 /* nodes that hands take at most; a finer cut than of 1 mm has the first of them */
 
 /* the head: a dome round the centre of its widest contour */
 typedef struct mus__head {
@@ -16,7 +16,7 @@ typedef struct mus__head {
     double up[3], front[3], left[3]; /* unit directions of the trunk */
 } mus__head;
 
-/* the part of the face edge that a hand takes */
+/* the part of the face edge that hands take */
 typedef struct mus__hood_edge {
     mus__head head;
     int32_t count;                /* of its nodes; 0: the garment has no hood */

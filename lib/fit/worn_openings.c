@@ -129,6 +129,18 @@ static int32_t opening_bits(int32_t set)
 }
 
 
+/* whether a loop with these linking numbers is before the face, with cloth over the crown */
+static bool opening_over(const mus__worn_axes *axes, const mus__worn_loop *loop,
+                         int32_t link[MUS_WORN_LIMBS][MUS__WORN_WAYS])
+{
+    int32_t common = 0;
+    if (!(loop->expect >> MUS_WORN_NECK & 1)) return false;
+    mus__worn_agree(axes, loop, loop->sign, link, &common);
+    return loop->sign * link[MUS_WORN_NECK][0] == common &&
+           (loop->sign * link[MUS_WORN_NECK][1] == common + 1 || loop->sign * link[MUS_WORN_NECK][2] == common + 1);
+}
+
+
 /* sign and over of the loops of a component, by their linking numbers as placed */
 static void opening_signs(const mus__worn_axes *axes, const opening *of, int32_t component, mus__worn_loops *loops)
 {
@@ -144,10 +156,7 @@ static void opening_signs(const mus__worn_axes *axes, const opening *of, int32_t
         if (own->expect == 0) continue;
         all += own->length;
         if (own->sign < 0) turned += own->length;
-        mus__worn_agree(axes, own, own->sign, link, &common);
-        own->over = (own->expect >> MUS_WORN_NECK & 1) && own->sign * link[MUS_WORN_NECK][0] - common == 0 &&
-                    (own->sign * link[MUS_WORN_NECK][1] - common == 1 ||
-                     own->sign * link[MUS_WORN_NECK][2] - common == 1);
+        own->over = opening_over(axes, own, link);
     }
     for (int32_t l = 0; l < loops->nloop && turned > 0.5 * all; l++)
         if (loops->loop[l].component == component) loops->loop[l].sign = -loops->loop[l].sign;
@@ -181,4 +190,16 @@ mus_status mus__worn_expect(const mus_pattern *pattern, const mus_cloth *cloth, 
     for (int32_t panel = 0; panel < cloth->npanel; panel++) opening_signs(axes, of, panel, loops);
     mus__free(loops->context, of);
     return MUS_OK;
+}
+
+
+void mus__worn_over(const mus__worn_axes *axes, const double *x, mus__worn_loops *loops)
+{
+    for (int32_t l = 0; l < loops->nloop; l++) {
+        mus__worn_loop *own = &loops->loop[l];
+        int32_t link[MUS_WORN_LIMBS][MUS__WORN_WAYS];
+        if (own->over || !(own->expect >> MUS_WORN_NECK & 1)) continue;
+        mus__worn_link(axes, loops, l, x, link);
+        own->over = opening_over(axes, own, link);
+    }
 }

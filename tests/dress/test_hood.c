@@ -51,7 +51,9 @@ typedef struct hood_row {
     double head; /* [m] girth that the hood is drafted for; 0: that of the body */
 } hood_row;
 
-static const hood_row rows[] = {{"hoodie_v", "W40", 0.0}, {"hoodie", "M50", 0.66}, {"hoodie_zip", "M50", 0.66}};
+/* the last one takes the start with found places, which do not tell that it has a hood */
+static const hood_row rows[] = {
+    {"hoodie_v", "W40", 0.0}, {"hoodie", "M50", 0.66}, {"hoodie_zip", "M50", 0.66}, {"hoodie", "M58", 0.0}};
 
 
 /* a body of the size and a design whose hood is for another head */

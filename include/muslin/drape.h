@@ -334,7 +334,7 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * tenths of a millimetre, unless it is held there. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED
  * (by `progress`), MUS_ERR_DIVERGED, MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY) Memory:
  * the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first settle
- * 25 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles a
+ * 28 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles a
  * node during the call Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3
  * x 3 bound of its stiffness
  */

@@ -34,8 +34,9 @@ typedef struct mus__component {
 } mus__component;
 
 typedef struct mus__relaxation {
-    double *mean;   /* (n x 3) mean place of the last steps; head of a block of six arrays, NULL before the first use */
+    double *mean;   /* (n x 3) mean place of the last steps; head of a block of arrays, NULL before the first use */
     double *before; /* (n x 3) mean place at the check before */
+    double *went;   /* (n x 3) move of the mean place from the check before that to it [m] */
     double *left;   /* (n x 3) force left at the check before [N] */
     double *moving; /* (n x 3) force that moved each node in the mean of the last steps [N] */
     double *inertia;           /* (n x 6) inertia tensors of the last steps: xx, yy, zz, xy, yz, zx [kg] */

@@ -25,14 +25,15 @@ mus_status mus__relax_create(mus_drape *drape)
 {
     const int64_t n3 = 3 * (int64_t)drape->n;
     if (drape->relax.mean != NULL) return MUS_OK;
-    drape->relax.mean = mus__new(drape->context, 6 * n3 + drape->n, sizeof *drape->relax.mean);
+    drape->relax.mean = mus__new(drape->context, 7 * n3 + drape->n, sizeof *drape->relax.mean);
     drape->relax.tensor = mus__new(drape->context, 7 * (int64_t)drape->sim.n, drape->sim.ops->real);
     if (drape->relax.mean == NULL || drape->relax.tensor == NULL) {
         mus__relax_clear(drape);
         return mus__fail_memory(drape->context, "a settle");
     }
     drape->relax.before = drape->relax.mean + n3;
-    drape->relax.left = drape->relax.before + n3;
+    drape->relax.went = drape->relax.before + n3;
+    drape->relax.left = drape->relax.went + n3;
     drape->relax.moving = drape->relax.left + n3;
     drape->relax.inertia = drape->relax.moving + n3;
     drape->relax.bending = drape->relax.inertia + 2 * n3;
@@ -44,8 +45,8 @@ void mus__relax_clear(mus_drape *drape)
 {
     mus__free(drape->context, drape->relax.mean);
     mus__free(drape->context, drape->relax.tensor);
-    drape->relax.mean = drape->relax.before = drape->relax.left = drape->relax.moving = NULL;
-    drape->relax.inertia = drape->relax.bending = NULL;
+    drape->relax.mean = drape->relax.before = drape->relax.went = drape->relax.left = NULL;
+    drape->relax.moving = drape->relax.inertia = drape->relax.bending = NULL;
     drape->relax.tensor = NULL;
 }
 

@@ -35,7 +35,7 @@ mus_status mus__relax_ready(mus_drape *drape, const mus__relax_rule *rule, doubl
  * restored), MUS_ERR_LIMIT */
 mus_status mus__relax_run(mus_drape *drape, mus__progress *run, double h, int32_t *steps, int32_t averaged);
 
-/* memory of mean, before, left, moving, inertia and tensor, kept until the drape is destroyed; give it back */
+/* memory of mean, before, went, left, moving, inertia and tensor, kept until the drape is destroyed; give it back */
 mus_status mus__relax_create(mus_drape *drape);
 void mus__relax_clear(mus_drape *drape);
 

@@ -19,9 +19,10 @@
  * Where cloth lies on cloth, a step of h brings the two nearer by h^2 F/m and contact takes that back: places ripple by
  * that distance, and forces with them. The mean is then taken over a time, not over a number of steps, and a residual
  * that no longer falls halves the step, and at the smallest step doubles the time of the mean, over which what trembles
- * averages out. A cloth that lies still with force left halves it too. When little force is
- * left and the cloth still drifts, the step is doubled again. A cloth that is caught on a hook (much force left, none
- * lost, no drift, the smallest step) is given up early.
+ * averages out. A cloth that lies still with force left halves it too. When little force is left and the cloth still
+ * drifts, or goes on in the direction in which it came, the step is doubled again; where that brings the ripples back,
+ * it takes twice as long the next time. A cloth that is caught on a hook (much force left, none lost, no drift, the
+ * smallest step) is given up early.
  *
  * Nodes alone meet the skin. Where it bulges between them they are lifted until their triangles are off it too
  * (chord_lift.c), and before the first step cloth that a hand or a foot goes through is drawn off over its end
@@ -58,10 +59,8 @@
 #define RIPPLE_SAFETY 0.2 /* the smallest while ripples leave more than RIPPLE_FAR times the residual allowed */
 #define LEAST_SAFETY 0.1  /* the smallest otherwise */
 #define RIPPLE_FAR 10.0   /* times the residual allowed: far from equilibrium */
-#define RIPPLE_DRIFT 20.0 /* times the drift allowed: faster cloth may be on its way, and gets FAST_CHECKS */
 #define STILL_CHECKS 4    /* checks with force left and none lost, after which the step is halved */
-#define FAST_CHECKS 8     /* the same for faster cloth */
-#define MOVING_CHECKS 3   /* checks with the residual reached and no rest, after which the step is doubled */
+#define MOVING_CHECKS 3   /* checks with motion and no rest, after which the step is doubled for the first time */
 #define STUCK_CHECKS 12   /* checks caught on a hook, after which the run is given up */
 #define PART_CHECKS 20    /* checks in which frozen nodes are put apart, at most */
 #define STALE_SHARE 0.9   /* of the least residual so far: a larger residual counts as no gain */
@@ -112,7 +111,9 @@ typedef struct lying {
     int32_t still;  /* checks with force left and nothing gained */
     int32_t stuck;  /* checks caught on a hook */
     int32_t parted; /* checks with frozen nodes */
-    int32_t moving; /* checks with the residual reached, but not at rest */
+    int32_t moving; /* checks with the residual reached, or on the way, but not at rest */
+    int32_t wait;   /* so many of them, and the step is doubled: twice as many each time that it is halved again */
+    bool tried;     /* it was doubled since it was halved */
 } lying;
 
 
@@ -184,6 +185,25 @@ static double farthest(const mus_drape *drape, const double *a, const double *b)
 }
 
 
+/* whether the mean place went on since the check before in the direction in which it came there, within 45 degrees by
+ * the masses: cloth on its way. What trembles comes back. Keeps the move for the next check */
+static bool goes_on(const mus_drape *drape)
+{
+    const mus__relaxation *relax = &drape->relax;
+    double along = 0.0, now2 = 0.0, last2 = 0.0;
+    for (int32_t i = 0; i < drape->n; i++) {
+        if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
+        for (int64_t k = 3 * (int64_t)i; k < 3 * (int64_t)i + 3; k++) {
+            const double move = relax->mean[k] - relax->before[k], last = relax->went[k];
+            along += drape->mass[i] * move * last;
+            now2 += drape->mass[i] * move * move, last2 += drape->mass[i] * last * last;
+            relax->went[k] = move;
+        }
+    }
+    return along > 0.0 && along * along > 0.5 * now2 * last2;
+}
+
+
 /* copies places or forces (n x 3) */
 static void settle_keep(const mus_drape *drape, const double *from, double *to)
 {
@@ -200,24 +220,27 @@ static double expected_distance(double move, double last)
 
 
 /* the step of the next batch: halved where a smaller step may take force away, doubled where the cloth still moves.
- * gains: the residual fell; gives: some thickness yielded */
-static void choose_safety(const mus_drape *drape, const settling *goal, double t, bool gains, bool gives, lying *now)
+ * gains: the residual fell; gives: some thickness yielded; goes: the cloth is on its way */
+static void choose_safety(const mus_drape *drape, const settling *goal, double t, bool gains, bool gives, bool goes,
+                          lying *now)
 {
     const double residual = drape->relax.residual;
-    const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL;
+    const bool ripples = on_cloth(drape) && t > goal->fall && goal->residual < ROUGH_RESIDUAL && !goes;
     now->still = now->drift <= goal->drift || (ripples && !gains) ? now->still + 1 : 0;
-    const int32_t patience = now->drift > RIPPLE_DRIFT * goal->drift ? FAST_CHECKS : STILL_CHECKS;
     if (gains || t <= goal->fall) now->best = residual;
-    now->moving = residual <= goal->residual && now->drift > goal->drift ? now->moving + 1 : 0;
+    now->moving = (residual <= goal->residual || goes) && now->drift > goal->drift ? now->moving + 1 : 0;
     const double least = ripples && residual > RIPPLE_FAR * goal->residual ? RIPPLE_SAFETY : LEAST_SAFETY;
-    if (now->moving >= MOVING_CHECKS && now->safety < SAFETY_STEP) {
+    if (now->moving >= now->wait && now->safety < SAFETY_STEP) {
         now->safety *= 2.0;
         now->moving = 0;
-    } else if (now->still >= patience && now->safety > least) {
+        now->tried = true;
+    } else if (now->still >= STILL_CHECKS && now->safety > least) {
         now->safety *= 0.5;
+        if (now->tried) now->wait *= 2;
+        now->tried = false;
         now->still = 0;
         now->best = residual;
-    } else if (now->still >= patience && ripples && now->longer < LONGEST_CHECK) {
+    } else if (now->still >= STILL_CHECKS && ripples && now->longer < LONGEST_CHECK) {
         now->longer *= 2;
         now->still = 0;
     }
@@ -247,6 +270,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
     const double last = now->move;
     now->move = farthest(drape, relax->mean, relax->before);
     now->drift = now->move / seconds;
+    const bool goes = goes_on(drape) && now->drift > goal->drift;
     const bool slow = goal->residual < ROUGH_RESIDUAL && now->drift < GIVE_DRIFT;
     const bool gives = slow && mus__drape_self_give_way(drape);
     settle_keep(drape, relax->mean, relax->before);
@@ -259,7 +283,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
                      (residual <= rounding && now->drift <= ROUNDING_DRIFT * goal->drift);
     if (gives) relax->settled = 0;
     if (lift_nodes(drape, goal, t)) relax->settled = 0;
-    choose_safety(drape, goal, t, residual < STALE_SHARE * now->best || residual <= goal->residual, gives, now);
+    choose_safety(drape, goal, t, residual < STALE_SHARE * now->best || residual <= goal->residual, gives, goes, now);
 }
 
 
@@ -269,10 +293,14 @@ static lying lie_down(mus_drape *drape, double fall)
     mus__relaxation *relax = &drape->relax;
     relax->settled = 0;
     settle_keep(drape, drape->x, relax->before);
+    memset(relax->went, 0, 3 * (size_t)drape->n * sizeof *relax->went);
     relax->residual = mus__residual(drape, drape->x);
     settle_keep(drape, relax->force, relax->left);
-    return (lying){
-        .drag = fall > 0.0 ? FALL_DRAG : START_DRAG, .safety = SAFETY_STEP, .best = relax->residual, .longer = 1};
+    return (lying){.drag = fall > 0.0 ? FALL_DRAG : START_DRAG,
+                   .safety = SAFETY_STEP,
+                   .best = relax->residual,
+                   .longer = 1,
+                   .wait = MOVING_CHECKS};
 }
 
 

@@ -27,7 +27,6 @@
 /* bending length of the cloth of a coarser cut over its spacing, at least. Chosen: with 1 hems stay turned up, with 3
  * points of strapless tops stand away from the back and fall over */
 #define STIFF_CELLS 2.0
-#define STANDARD_GRAVITY 9.81 /* [m/s2] for the bending length */
 
 
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing)
@@ -43,7 +42,7 @@ double mus__cloth_stiffen(double spacing, mus_fabric *fabric)
 {
     /* bending length: the third root of rigidity over weight (Peirce 1930) */
     const double length = STIFF_CELLS * spacing, *bend = fabric->bend;
-    const double asked = STANDARD_GRAVITY * fabric->weight * length * length * length;
+    const double asked = MUS__GRAVITY * fabric->weight * length * length * length;
     const double softest = fmin(fmin(bend[0], bend[1]), bend[2]);
     if (softest >= asked) return 1.0;
     for (int k = 0; k < 3; k++) fabric->bend[k] += asked - softest;

@@ -12,6 +12,9 @@
 /* size of a mus_fabric before bend_hysteresis was appended, which is 0 in it */
 #define MUS__FABRIC_FIRST offsetof(mus_fabric, bend_hysteresis)
 
+/* [m/s2] standard gravity, rounded: of the default drape, of weights where a drape has none, of bending lengths */
+#define MUS__GRAVITY 9.81
+
 /* [1/m] curvature at which the slider of a bending element slips, all of them at twice of it. Chosen: well below 50 /m,
  * from where KES-FB2 reads B and 2HB; a larger value makes the cloth softer near flat. tests/study/fabric/slider.py
  * compiles with others */

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "arrange/arrange_nodes.h"
+#include "cloth/fabric.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
@@ -25,7 +26,7 @@
 void mus_drape_def_init(mus_drape_def *def, size_t size)
 {
     mus_drape_def own = {0};
-    own.gravity[1] = -9.81;
+    own.gravity[1] = -MUS__GRAVITY;
     own.precision = 32;
     own.threads = 1;
     own.collision_distance = 0.001;

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cloth/fabric.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
 #include "sim/step_bound.h"
@@ -26,7 +27,8 @@ double mus__residual_rounding(const mus_drape *drape)
     int64_t count = 0;
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
-        const double felt = drape->stepping.stiffness[i] * FLOAT_ROUNDING / (drape->mass[i] * (g > 0.0 ? g : 9.81));
+        const double weight = drape->mass[i] * (g > 0.0 ? g : MUS__GRAVITY);
+        const double felt = drape->stepping.stiffness[i] * FLOAT_ROUNDING / weight;
         sum += felt * felt;
         count++;
     }

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cloth/fabric.h"
 #include "contact/contact_template.h"
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
@@ -113,7 +114,7 @@ double mus__residual(const mus_drape *drape, const double *x)
     for (int32_t i = 0; i < drape->n; i++) {
         if (drape->mass[i] <= 0.0 || drape->pinned[i]) continue;
         double *r = f + 3 * (int64_t)i;
-        const double weight = drape->mass[i] * (g > 0.0 ? g : 9.81);
+        const double weight = drape->mass[i] * (g > 0.0 ? g : MUS__GRAVITY);
         for (int32_t d = 0; d < 3; d++) r[d] += drape->mass[i] * gravity[d];
         int32_t touches = mus__drape_self_force(drape, i, r);
         if (drape->scene.collider != NULL)

@@ -182,8 +182,8 @@ static mus_status cloth_limit(mus_context *context, const mus_pattern *pattern, 
 }
 
 
-/* cuts and meshes a pattern at the spacing and of the fabric of the options, without coarser cuts; `lying_share` is
- * that of the mesh */
+/* one cut of a pattern at the spacing and of the fabric of the options, without coarser cuts; `lying_share` goes to
+ * the mesh */
 static mus_status cloth_cut(mus_context *context, const mus_pattern *pattern, const mus_cloth_def *def,
                             double lying_share, mus_cloth **out)
 {

@@ -91,7 +91,7 @@ struct mus_cloth {
     mus__spring *spring;       /* (nspring) of the strip, the border, and lattice edges beside the strip */
     mus__hinge *hinge;         /* (nhinge) bending in the strip */
     mus__hinge *seam_hinge;    /* (nseam_hinge) bending across seams once both sides are welded */
-    mus__hinge *seam_turn;     /* (nseam_hinge x 3) and before; nodes 0 and 1 of the first are sewn to each other */
+    mus__hinge *seam_turn;     /* (nseam_hinge x 3) and while it is open; nodes 0, 1 of the first are sewn together */
     int32_t *pair, *pair_seam; /* (npair x 2), (npair) */
     double *pair_length;       /* (npair) arc length that the pair stands for [m] */
     mus__hold *hold;           /* (nhold) */

@@ -39,7 +39,7 @@ typedef struct mus__mesh {
     mus__fabric_lattice constant;
     int32_t nodes_most;
     double paper; /* curvature that the paper's springs are fitted at [1/m]; 0: plate */
-    double lying_share; /* of the rigidity: what panels have of it that are placed lying */
+    double lying_share; /* factor on the bending of panels that are placed lying; 1: as of all others */
 } mus__mesh;
 
 /* mesh.c: intervals of all edges; then one panel after the other: nodes, triangles, lattice (the caller frees);
@@ -74,15 +74,15 @@ mus_status mus__mesh_limit(mus__mesh *mesh);
 mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
 /* coarse_cut.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing);
-/* coarse_cut.c: the fabric of a coarser cut of that spacing [m]: no softer than a cut so coarse can lie smoothly in.
- * Returns the rigidity that it had over what it has now */
+/* coarse_cut.c: stiffens a fabric until its bending length is two cells of a coarser cut of that spacing [m]. Returns
+ * its bending rigidity before over that after */
 double mus__cloth_stiffen(double spacing, mus_fabric *fabric);
 /* coarse_cut.c: the same for a grid: nodes of both directions and cell (2) [m] of the coarser one */
 bool mus__grid_coarser(const mus_cloth *cloth, const mus_cloth_def *def, int32_t *rows, int32_t *columns,
                        const double *cell, double *coarse_cell);
 /* seam_pairs.c: seam pairs and hinges across seams of all panels */
 mus_status mus__mesh_seams(mus__mesh *mesh);
-/* seam_turns.c: those hinges while seams are open; after mus__mesh_limit() */
+/* seam_turns.c: bending across seams while they are open; after mus__mesh_limit() */
 mus_status mus__mesh_turns(mus__mesh *mesh);
 /* pleat_folds.c: the folds of pleats that are laid */
 mus_status mus__mesh_pleats(mus__mesh *mesh);

@@ -71,7 +71,8 @@ void mus__worn_head(const mus_body *body, const mus__worn_axes *axes, mus__head 
 mus_status mus__worn_expect(const mus_pattern *pattern, const mus_cloth *cloth, const mus__worn_axes *axes,
                             const double *placed, mus__worn_loops *loops);
 
-/* and loops that are before the face as the cloth lies at x (nnode x 3): a hood that was placed in another way */
+/* then sets `over` of loops that are before the face as the cloth lies at x (nnode x 3): hoods whose placement does not
+ * tell it */
 void mus__worn_over(const mus__worn_axes *axes, const double *x, mus__worn_loops *loops);
 
 /* the limbs (a sum of 1 << MUS_WORN_*) whose linking numbers, times `sign`, on one of the ways are what the pattern has

@@ -70,9 +70,9 @@ PKG_examples = libpng
 PKG_tests = check $(PKG_print) $(PKG_exchange) $(PKG_catalogue)
 pkg = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 room = $(filter-out $(LEFT_OUT:%=lib/%.c),$(wildcard $(patsubst %,lib/%/*.c,$(filter-out $(LEFT_OUT),$(1)))))
-SRC_muslin := $(call room,$(filter-out file cutter paperfile sewing meshfile trade seam valentina $(OWN_LIBRARY),$(ROOMS)))
+SRC_muslin := $(call room,$(filter-out file drawing cutter paperfile sewing meshfile trade seam valentina $(OWN_LIBRARY),$(ROOMS)))
 $(foreach l,$(OWN_LIBRARY),$(eval SRC_$(l) := $(call room,$(l))))
-$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),meshfile trade seam valentina,cutter paperfile sewing))))) # and base's: objects_of
+$(foreach l,print exchange,$(if $(SRC_$(l)),$(eval SRC_$(l) += $(call room,file $(if $(filter exchange,$(l)),meshfile trade seam valentina,drawing cutter paperfile sewing))))) # and base's: objects_of
 SRC_examples := $(wildcard examples/*.c examples/*/*.c)
 TEST_FILES := $(sort $(wildcard tests/*/test_*.c))
 TEST_PARTS := $(filter-out $(TEST_FILES) tests/same/% tests/study/elementary/%,$(wildcard tests/*/*.c tests/study/*/*.c))

@@ -24,7 +24,7 @@ BUILD = pathlib.Path(os.environ.get("MUSLIN_OUT", ROOT / "build")).resolve()
 OUT, WORK, NPM = BUILD / "web", BUILD / "web-work", BUILD / "npm"
 LEFT_OUT = {"catalogue", "scan", "exchange", "sewing", "meshfile", "trade", "seam", "valentina"}  # rooms of lib/
 EXCHANGE = ("file_read", "tape_file", "tape_csv", "pattern_json_write")  # what of lib/exchange needs no outside library
-CAIRO = {"lib/paperfile/pdf.c", "lib/print/lettering_pango.c", "lib/print/lettering_strokes.c"}  # its calls, or Pango's
+CAIRO = {"lib/paperfile/pdf.c", "lib/drawing/lettering_pango.c", "lib/drawing/lettering_strokes.c"}  # its calls, or Pango's
 INSTEAD = {"lib/base/thread_pool.c"}  # src/thread_pool_single.c stands for it
 FLAGS = ["--target=wasm32-wasi", "-msimd128", "-mnontrapping-fptoint", "-msign-ext",  # all browsers have them
          "-fno-math-errno", "-ffp-contract=off", "-std=c11", "-DNDEBUG", "-Wall", "-Wextra",

@@ -13,7 +13,7 @@
 
 #include "file/sink.h"
 #include "paperfile/pdf_layers.h"
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 #include "print/page.h"
 
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 #include "print/page.h"
 #include "print/phrase.h"
 

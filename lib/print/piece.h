@@ -4,7 +4,7 @@
 #ifndef MUS__PRINT_PIECE_H
 #define MUS__PRINT_PIECE_H
 
-#include "print/stroke_font.h"
+#include "drawing/stroke_font.h"
 
 /* closed polygons: the outer one first (counter-clockwise), then holes (clockwise) */
 typedef struct mus__loops {

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/elementary.h"
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 #include "print/phrase.h"
 #include "print/sheet.h"
 

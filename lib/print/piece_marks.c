@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "muslin/language.h"
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 #include "print/piece.h"
 
 #define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "muslin/topology.h"
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 #include "print/page.h"
 #include "print/phrase.h"
 

@@ -8,7 +8,7 @@
 #ifndef MUS_SEWING_H
 #define MUS_SEWING_H
 
-#include "print/drawing.h"
+#include "drawing/drawing.h"
 
 #define MUS__WORDS 128 /* [bytes] of a name in words with its zero byte; longer ones are cut; chosen */
 #define MUS__PHRASE (4 * MUS__WORDS + 32) /* [bytes] both sides of a seam in words */

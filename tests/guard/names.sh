@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 status=0
 
 # libmuslin is all of lib/ but the rooms that are libraries of their own
-files=$(ls lib/*/*.c | grep -vE '^lib/(file|print|cutter|paperfile|sewing|exchange|meshfile|trade|seam|valentina|catalogue)/')
+files=$(ls lib/*/*.c | grep -vE '^lib/(file|drawing|print|cutter|paperfile|sewing|exchange|meshfile|trade|seam|valentina|catalogue)/')
 
 $CC -Iinclude -Ilib $files -shared -fPIC -lm -pthread -o "$scratch/line.so" || {
     echo "libmuslin does not build by one compiler line"

@@ -1,10 +1,10 @@
 /*
  * stroke_font.h: letters as strokes, and texts.
  */
-#ifndef MUS_PRINT_STROKE_FONT_H
-#define MUS_PRINT_STROKE_FONT_H
+#ifndef MUS_DRAWING_STROKE_FONT_H
+#define MUS_DRAWING_STROKE_FONT_H
 
-#include "print/drawing.h"
+#include "drawing/drawing.h"
 
 typedef struct mus__text_style {
     double height; /* of a capital [m] */

@@ -2,7 +2,7 @@
  * lettering_strokes.c: letters for a build without Pango: all of them are strokes. Letters that the strokes do not have
  * become their base letters or question marks; a language that is written in such letters is refused.
  */
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 
 #ifdef MUS_STROKES_ONLY
 

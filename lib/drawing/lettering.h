@@ -8,12 +8,12 @@
  * Two files hold the same functions, and the build takes one: lettering_pango.c (Pango beside cairo), and
  * lettering_strokes.c (MUS_STROKES_ONLY defined), which has strokes for everything.
  */
-#ifndef MUS_PRINT_LETTERING_H
-#define MUS_PRINT_LETTERING_H
+#ifndef MUS_DRAWING_LETTERING_H
+#define MUS_DRAWING_LETTERING_H
 
 #include <cairo.h>
 
-#include "print/stroke_font.h"
+#include "drawing/stroke_font.h"
 
 typedef struct mus__lettering mus__lettering;
 

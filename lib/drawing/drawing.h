@@ -4,8 +4,8 @@
  * Units: metre, x right, y up; the writers turn and scale. Memory and failures go through the public functions of the
  * context, since libmuslin-print is a library apart from libmuslin.
  */
-#ifndef MUS_PRINT_DRAWING_H
-#define MUS_PRINT_DRAWING_H
+#ifndef MUS_DRAWING_DRAWING_H
+#define MUS_DRAWING_DRAWING_H
 
 #include <stdbool.h>
 #include <stddef.h>

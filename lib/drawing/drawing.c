@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/drawing.h"
+#include "drawing/drawing.h"
 
 /* pens: {width [m], {dash, gap [m]}, grey}. Chosen: no pen but the title's is as wide as that of the cut line */
 const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {

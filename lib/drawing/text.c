@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 
 
 /* keep a text for readers; its left end is at (x, y) */

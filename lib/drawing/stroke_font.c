@@ -13,7 +13,7 @@
  */
 #include <string.h>
 
-#include "print/stroke_font.h"
+#include "drawing/stroke_font.h"
 
 #define CAPITAL 10.0  /* units of the grid from the base line to the top of a capital */
 #define BASE 4        /* y of the base line on the grid */

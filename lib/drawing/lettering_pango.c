@@ -5,7 +5,7 @@
  * Text is laid out at one size without hinting and scaled, so that a text has the same form at every size. The objects
  * of Pango take their memory for themselves; where there is none left, GLib ends the process.
  */
-#include "print/lettering.h"
+#include "drawing/lettering.h"
 
 #ifndef MUS_STROKES_ONLY
 

@@ -33,7 +33,7 @@ typedef struct mus_sheet_def {
     const char *title; /* on every label, NULL: the name of the pattern; read during the call */
     const char *person; /* wearer's name, on every label; NULL: none */
     int32_t fold;      /* nonzero: a symmetric panel is printed as its half, with the line that is laid on the fold of
-                        * the cloth; pieces may be turned by half a turn and halves mirrored to save paper; default 0.
+                        * the cloth; pieces may be turned by quarters and halves mirrored to save paper; default 0.
                         * Such a sheet is not written as DXF */
     const char *language; /* of what is written on it: a tag such as "de" or "pt_BR" (muslin/language.h); NULL: English;
                            * read during the call. The title is not translated */
@@ -89,9 +89,10 @@ typedef struct mus_sheet_piece {
     int32_t copies;   /* number of copies to cut of the main cloth; without any, of the first material that has some */
     int32_t mirrored; /* nonzero: half of the copies are cut turned over */
     int32_t fold;     /* nonzero: the half of a symmetric panel. 1: it lies right of the fold line, which is at box[0];
-                       * -1: left, at box[2] */
+                       * -1: left, at box[2]; turned by a quarter, 2: above, at box[1]; -2: below, at box[3] */
     double turn[4];   /* from the plane of the panel to the sheet: x = turn[0] u + turn[1] v + shift[0], */
-    double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; grain upright, right side up */
+    double shift[2];  /* y = turn[2] u + turn[3] v + shift[1] [m]; right side up, grain upright, level
+                       * on a sheet of halves where that saves paper */
     double box[4];    /* of the cut line: low x, low y, high x, high y [m] */
     int32_t size_index; /* of the size that the piece is of; 0 on a sheet of one size */
     int32_t materials[8]; /* number of copies to cut of each MUS_MATERIAL_*; 0 beyond the last */

@@ -21,6 +21,7 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
         mus_edge_def_init(&def, sizeof def);
         def.name = names[i], def.start = point[i], def.end = point[(i + 1) % 4];
         job->status = mus_pattern_add_edge(job->made, &def, &edge[i]);
+        if (job->status == MUS_OK) job->status = mus_pattern_set_edge_label(job->made, edge[i], names[i]);
         if (job->status == MUS_OK)
             job->status = mus_pattern_set_edge_allowance(job->made, edge[i],
                                                          i == 2 && strip->turned > 0.0 ? strip->turned : seam);

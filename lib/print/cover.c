@@ -1,6 +1,6 @@
 /*
  * cover.c: title, instructions, test squares, list of pieces and page map of a tiled sheet: as a legend on free places
- * of its pages, or, when there are none, on a page of its own before the others.
+ * of its pages, between the pieces or inside one, or, when there are none, on a page of its own before the others.
  */
 #include <stdio.h>
 #include <string.h>
@@ -18,6 +18,7 @@
 #define LEGEND_LETTER 0.0025 /* [m] height of its capitals; chosen: the smallest that is read at arm's length */
 #define LEGEND_PITCH 0.0042  /* [m] from line to line */
 #define LEGEND_HEAD 0.019    /* [m] height of title and facts above the instructions */
+#define LEGEND_MAP 0.034     /* [m] height of the page map below them; chosen: names of pages are read in it */
 #define LEGEND_NAME 0.024    /* [m] corner of a page that holds its name */
 #define LEGEND_LINES 16      /* most lines of the instructions */
 
@@ -210,34 +211,50 @@ static int32_t legend_lines(const mus_sheet *sheet, double width, char (*lines)[
 
 #define LEGEND_MET 32 /* points of pieces that are remembered; chosen: changes the time alone */
 
-/* what may lie where the legend is wanted: pieces, by the function, and one box */
+/* what may lie where the legend is wanted: pieces, and one box */
 typedef struct legend_taken {
-    bool (*taken)(const void *user, const double *box, double *at);
-    const void *user;
+    const mus__ground *ground;
     const double *box;
     double met[LEGEND_MET][2]; /* the last points where pieces were met: neighbouring places hold them too */
     int32_t nmet;
 } legend_taken;
 
 
-static bool legend_clear(legend_taken *taken, const double *box)
+/* is a box free: between the pieces, or held by one? */
+static bool legend_clear(legend_taken *taken, const double *box, bool held)
 {
     const double grown[4] = {box[0] - LEGEND_GAP, box[1] - LEGEND_GAP, box[2] + LEGEND_GAP, box[3] + LEGEND_GAP};
     const double *other = taken->box;
     if (other != NULL && grown[0] < other[2] && grown[2] > other[0] && grown[1] < other[3] && grown[3] > other[1])
         return false;
+    if (held) return taken->ground->held(taken->ground->user, grown);
     for (int32_t i = 1; i <= taken->nmet && i <= LEGEND_MET; i++) {
         const double *met = taken->met[(taken->nmet - i) % LEGEND_MET];
         if (grown[0] < met[0] && met[0] < grown[2] && grown[1] < met[1] && met[1] < grown[3]) return false;
     }
-    if (!taken->taken(taken->user, grown, taken->met[taken->nmet % LEGEND_MET])) return true;
+    if (!taken->ground->taken(taken->ground->user, grown, taken->met[taken->nmet % LEGEND_MET])) return true;
     taken->nmet++;
     return false;
 }
 
 
-/* find a free place of the given width and height on the first page that has one, from its upper left corner on */
-static bool legend_find(const mus_sheet *sheet, double width, double height, legend_taken *taken, double *out)
+/* does a box lie on the marks of a neighbour, at the middle of an edge of the page? They are as wide as its own name,
+ * and half as deep */
+static bool legend_on_marks(const double *window, const double *box)
+{
+    for (int32_t d = 0; d < 2; d++) {
+        const double middle = 0.5 * (window[d] + window[2 + d]), deep = 0.5 * LEGEND_NAME;
+        if (box[d] > middle + LEGEND_NAME || box[2 + d] < middle - LEGEND_NAME) continue;
+        if (box[1 - d] < window[1 - d] + deep || box[3 - d] > window[3 - d] - deep) return true;
+    }
+    return false;
+}
+
+
+/* find a place of the given width and height, free or held by a piece, on the first page that has one, from its upper
+ * left corner on */
+static bool legend_find(const mus_sheet *sheet, double width, double height, legend_taken *taken, bool held,
+                        double *out)
 {
     for (int32_t t = 0; t < sheet->ntile; t++) {
         double window[4];
@@ -247,7 +264,8 @@ static bool legend_find(const mus_sheet *sheet, double width, double height, leg
                 const double box[4] = {x, y, x + width, y + height};
                 /* the upper left corner of a page holds its name */
                 if (x < window[0] + LEGEND_NAME && y + height > window[3] - LEGEND_NAME) continue;
-                if (!legend_clear(taken, box)) continue;
+                if (legend_on_marks(window, box)) continue;
+                if (!legend_clear(taken, box, held)) continue;
                 memcpy(out, box, sizeof box);
                 return true;
             }
@@ -269,26 +287,29 @@ static bool legend_shown(const mus_sheet *sheet, const double *box)
 }
 
 
-void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box, double *at),
-                       const void *user, const double *corner)
+void mus__legend_place(mus_sheet *sheet, const mus__ground *ground, const double *corner)
 {
     static const double widths[] = {0.165, 0.13, 0.1, 0.075};
     char lines[LEGEND_LINES][LEGEND_TEXT];
     double box[4];
-    legend_taken all = {.taken = taken, .user = user};
+    legend_taken all = {.ground = ground};
     sheet->cover = true;
     if (corner != NULL) {
         memcpy(box, corner, 2 * sizeof *box);
         for (int32_t k = 0; k < 2; k++) box[2 + k] = box[k] + MUS__SQUARES;
         if (!legend_shown(sheet, box)) return;
-    } else if (!legend_find(sheet, MUS__SQUARES, MUS__SQUARES, &all, box)) {
+    } else if (!legend_find(sheet, MUS__SQUARES, MUS__SQUARES, &all, false, box) &&
+               !legend_find(sheet, MUS__SQUARES, MUS__SQUARES, &all, true, box)) {
         return;
     }
     all.box = box;
-    for (int32_t i = 0; i < (int32_t)(sizeof widths / sizeof widths[0]) && sheet->cover; i++) {
-        const int32_t n = legend_lines(sheet, widths[i], lines);
+    const int32_t nwidth = (int32_t)(sizeof widths / sizeof widths[0]);
+    for (int32_t i = 0; i < 2 * nwidth && sheet->cover; i++) {
+        const double width = widths[i % nwidth];
+        const int32_t n = legend_lines(sheet, width, lines);
         if (n == 0) continue;
-        sheet->cover = !legend_find(sheet, widths[i], LEGEND_HEAD + LEGEND_PITCH * n, &all, sheet->legend);
+        sheet->cover =
+            !legend_find(sheet, width, LEGEND_HEAD + LEGEND_PITCH * n + LEGEND_MAP, &all, i >= nwidth, sheet->legend);
     }
     memcpy(sheet->squares, box, sizeof sheet->squares);
 }
@@ -302,4 +323,5 @@ void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out)
     const int32_t n = legend_lines(sheet, box[2] - box[0], lines);
     for (int32_t i = 0; i < n; i++)
         mus__page_line(out, MUS__PEN_TEXT, lines[i], box[0], box[2], y -= LEGEND_PITCH, LEGEND_LETTER);
+    cover_map(sheet, out, box[0], box[1], box[2] - box[0], LEGEND_MAP - LEGEND_GAP);
 }

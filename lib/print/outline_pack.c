@@ -1,7 +1,8 @@
 /*
  * outline_pack.c: pack outlines on a strip of paper, in a given order: each at the place nearest to the top of the
  * strip where it fits among those before it, also in their hollows (bottom-left on true outlines, upside down). An
- * outline may be turned by half a turn, so that the grain stays upright, and the half of a piece on the fold mirrored.
+ * outline may be turned by half a turn, by a quarter where it has such a shape too, and the half of a piece on the fold
+ * mirrored.
  *
  * The strip is cut into upright slabs of equal width. In a slab an outline is a list of spans that it covers, measured
  * down from its top; it is grown by half the gap all round first. A place is a whole number of slabs from the left:
@@ -20,7 +21,8 @@
 #include "print/outline_pack.h"
 
 #define STRIDE 0.008 /* [m] from place to place; chosen: twice as much takes half the time and packs a little looser */
-#define SAMPLED 8 /* every which slab is looked at first; chosen: changes the time alone */
+#define SAMPLED 8    /* every which slab is looked at first; chosen: with fewer a place is seldom found wrong */
+#define PAGE_PARTS 8 /* places tried in the width of a page; chosen: more seldom save a page */
 #define SLABS_MOST 1e6 /* most slabs of a shape; chosen: bounds the memory */
 
 
@@ -205,6 +207,39 @@ mus_status mus__shape_make(mus_context *context, int32_t nloops, const mus__loop
 }
 
 
+mus_status mus__shape_make_lying(mus_context *context, int32_t nloops, const mus__loops *const *loops,
+                                 const double *box, double gap, double slab, mus__shape *shape)
+{
+    int64_t points = 0;
+    double turned[4];
+    for (int32_t k = 0; k < nloops; k++) points += loops[k]->n;
+    double *xy = mus__print_new(context, points, 2 * sizeof *xy), *at = xy;
+    mus__loops *own = mus__print_new(context, nloops, sizeof *own);
+    const mus__loops **list = mus__print_new(context, nloops, sizeof *list);
+    mus_status status = MUS_OK;
+    if (xy == NULL || own == NULL || list == NULL) status = mus__print_memory(context, "the layout of a sheet");
+    for (int32_t k = 0; k < nloops && status == MUS_OK; k++) {
+        own[k] = *loops[k];
+        own[k].xy = at;
+        for (int32_t i = 0; i < own[k].n; i++, at += 2)
+            at[0] = -loops[k]->xy[2 * i + 1], at[1] = loops[k]->xy[2 * i];
+        list[k] = &own[k];
+    }
+    mus__box_quarter(box, turned);
+    if (status == MUS_OK) status = mus__shape_make(context, nloops, list, turned, gap, slab, shape);
+    mus__print_free(context, list);
+    mus__print_free(context, own);
+    mus__print_free(context, xy);
+    return status;
+}
+
+
+double mus__shape_narrow(const mus__shape *shape)
+{
+    return shape->lying != NULL ? fmin(shape->lying->width, shape->width) : shape->width;
+}
+
+
 void mus__shape_free(mus_context *context, mus__shape *shape)
 {
     mus__print_free(context, shape->start);
@@ -284,7 +319,10 @@ mus_status mus__strip_make(mus_context *context, int32_t n, const mus__shape *sh
 {
     int64_t spans = 0;
     memset(strip, 0, sizeof *strip);
-    for (int32_t i = 0; i < n; i++) spans += shapes[i].nspan;
+    for (int32_t i = 0; i < n; i++) {
+        const mus__shape *lying = shapes[i].lying;
+        spans += lying != NULL && lying->nspan > shapes[i].nspan ? lying->nspan : shapes[i].nspan;
+    }
     strip->slab = n > 0 ? shapes[0].slab : widest;
     strip->room = (int32_t)(widest / strip->slab) + 2;
     strip->first = mus__print_new(context, strip->room, sizeof *strip->first);
@@ -305,29 +343,102 @@ void mus__strip_free(mus_context *context, mus__strip *strip)
 }
 
 
-/* find the place nearest to the top for a shape, of those that differ by less than a slab the leftmost: at each STRIDE
- * and at the last slab, then moved to the left while it does not sink; y is HUGE_VAL when the shape is too wide */
-static mus__place strip_find(const mus__strip *strip, const mus__shape *shape, int32_t nslab)
+/* the place of a shape that is looked for, and what it costs */
+typedef struct strip_quest {
+    const mus__strip *strip;
+    double gap;           /* that the shapes are grown by [m] */
+    int32_t nslab, fresh; /* pages that the best place takes anew */
+    mus__place best;
+} strip_quest;
+
+
+/* number of pages that a place takes and that no shape before it took, not counted beyond `most`: of each SAMPLED slab
+ * and the last one. With `fill` all slabs are asked, and the pages are taken */
+static int32_t quest_pages(const strip_quest *q, const mus__shape *shape, const mus__place *place, int32_t most,
+                           bool fill)
 {
-    static const bool flips[4][2] = {{false, false}, {true, true}, {true, false}, {false, true}};
-    mus__place best = {0, {false, false}, 0.0, HUGE_VAL};
-    const int32_t last = nslab - shape->nslab, stride = (int32_t)ceil(STRIDE / shape->slab);
-    const int32_t ways = shape->flips ? 4 : shape->turns ? 2 : 1;
-    double y;
-    for (int32_t s = 0; s <= last && best.y > 0.0; s = s < last && s + stride > last ? last : s + stride) {
-        for (int32_t i = 0; i < ways; i++) {
-            const int32_t way = (shape->first + i) % ways;
-            if (!strip_rest(strip, shape, flips[way], s, best.y - shape->slab, &y)) continue;
-            best.slab = s;
-            memcpy(best.flip, flips[way], sizeof best.flip);
-            best.y = y;
+    mus__pages *pages = q->strip->pages;
+    const double column_step = 1.0 / pages->step[0], row_step = 1.0 / pages->step[1];
+    const int32_t stride = fill ? 1 : SAMPLED;
+    int32_t count = 0, n;
+    pages->stamp++;
+    for (int32_t at = 0; at < shape->nslab - 1 + stride; at += stride) {
+        const int32_t k = at < shape->nslab ? at : shape->nslab - 1;
+        const double x = (place->slab + k) * shape->slab + pages->border;
+        const double *spans = shape_slab(shape, place->flip, k, &n);
+        int32_t column = (int32_t)(x * column_step);
+        column = column < pages->columns ? column : pages->columns - 1;
+        for (int32_t i = 0; i < n; i++) {
+            /* the outline without the gap that it is grown by */
+            const double low = place->flip[1] ? shape->height - spans[2 * i + 1] : spans[2 * i];
+            const double high = (place->flip[1] ? shape->height - spans[2 * i] : spans[2 * i + 1]) - q->gap;
+            const double top = place->y + pages->border;
+            int32_t row = (int32_t)((top + low) * row_step);
+            const int32_t last = (int32_t)((top + (high > low ? high : low)) * row_step);
+            for (; row <= last && row < pages->rows; row++) {
+                int32_t *seen = &pages->seen[row * pages->columns + column];
+                if (*seen == -1 || *seen == pages->stamp) continue;
+                *seen = fill ? -1 : pages->stamp;
+                if (++count > most) return count;
+            }
         }
     }
-    while (best.slab > 0 && strip_rest(strip, shape, best.flip, best.slab - 1, best.y + 1e-9, &y)) {
-        best.slab--;
-        best.y = y < best.y ? y : best.y;
+    return count;
+}
+
+
+/* take the place with the first slab on s for the best when it takes fewer pages anew, or as many nearer to the top */
+static void quest_try(strip_quest *q, const mus__shape *shape, const mus__shape *own, const bool *flip, int32_t s)
+{
+    mus__place place = {.slab = s, .quarter = own != shape, .flip = {flip[0], flip[1]}};
+    const double nearer = q->best.y - own->slab;
+    if (!strip_rest(q->strip, own, flip, s, q->fresh > 0 ? HUGE_VAL : nearer, &place.y)) return;
+    const int32_t fresh = q->strip->pages != NULL ? quest_pages(q, own, &place, q->fresh, false) : 0;
+    if (fresh > q->fresh || (fresh == q->fresh && place.y >= nearer)) return;
+    q->fresh = fresh;
+    q->best = place;
+}
+
+
+/* look for a place of a shape that may be turned and flipped as `shape`: at each STRIDE, or at each part of a page, and
+ * at the last slab */
+static void quest_search(strip_quest *q, const mus__shape *shape, const mus__shape *own)
+{
+    static const bool flips[4][2] = {{false, false}, {true, true}, {true, false}, {false, true}};
+    const int32_t last = q->nslab - own->nslab, ways = shape->flips ? 4 : shape->turns ? 2 : 1;
+    const mus__pages *pages = q->strip->pages;
+    const double step = pages != NULL ? pages->step[0] / PAGE_PARTS : STRIDE;
+    const double border = pages != NULL ? pages->border : 0.0;
+    for (int32_t k = 1, s = 0; s <= last && (q->best.y > 0.0 || q->fresh > 0); k++) {
+        for (int32_t i = 0; i < ways; i++) quest_try(q, shape, own, flips[(shape->first + i) % ways], s);
+        if (s == last) break;
+        s = (int32_t)ceil((k * step - border) / own->slab);
+        s = s < last ? s : last;
     }
-    return best;
+}
+
+
+/* find the place of a shape nearest to the top, with pages of those that take fewest anew, of those that differ by less
+ * than a slab the leftmost; then moved to the left while it does not sink. y is HUGE_VAL when the shape is too wide */
+static mus__place strip_find(const mus__strip *strip, const mus__shape *shape, int32_t nslab, double gap)
+{
+    const mus__pages *pages = strip->pages;
+    strip_quest q = {strip, gap, nslab, pages != NULL ? INT32_MAX - 1 : 0, {.y = HUGE_VAL}};
+    const bool lying = shape->lying != NULL && shape->first >= 4;
+    if (lying) quest_search(&q, shape, shape->lying);
+    quest_search(&q, shape, shape);
+    if (shape->lying != NULL && !lying) quest_search(&q, shape, shape->lying);
+    const mus__shape *own = q.best.quarter ? shape->lying : shape;
+    while (q.best.slab > 0) {
+        mus__place left = q.best;
+        left.slab--;
+        if (!strip_rest(strip, own, left.flip, left.slab, left.y + 1e-9, &left.y)) break;
+        if (pages != NULL && quest_pages(&q, own, &left, q.fresh, false) > q.fresh) break;
+        q.best.slab = left.slab;
+        q.best.y = fmin(q.best.y, left.y);
+    }
+    if (pages != NULL && q.best.y < HUGE_VAL) quest_pages(&q, own, &q.best, INT32_MAX, true);
+    return q.best;
 }
 
 
@@ -342,8 +453,9 @@ double mus__strip_pack(mus__strip *strip, int32_t n, const mus__shape *shapes, c
     for (int32_t s = 0; s < nslab; s++) strip->first[s] = MUS_NONE;
     for (int32_t i = 0; i < n; i++) {
         const mus__shape *shape = &shapes[order[i]];
-        const mus__place best = strip_find(strip, shape, nslab);
+        const mus__place best = strip_find(strip, shape, nslab, gap);
         if (!(best.y < HUGE_VAL)) return -1.0; /* wider than the strip */
+        if (best.quarter) shape = shape->lying;
         strip_put(strip, shape, &best);
         places[order[i]] = best;
         /* mirrored, the shape ends with its last slab, which it may fill in part */

@@ -33,11 +33,17 @@ void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out);
 mus_status mus__cover_check(const mus_sheet *sheet);
 void mus__cover_size(const mus_sheet *sheet, double *out);
 void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out);
+/* the pieces of a sheet, seen by who looks for a free box */
+typedef struct mus__ground {
+    bool (*taken)(const void *user, const double *box,
+                  double *at);                         /* does a piece meet it? at (2) gets a point where */
+    bool (*held)(const void *user, const double *box); /* does it lie inside a piece, clear of lines? */
+    const void *user;
+} mus__ground;
+
 /* find places on the pages of a tiled sheet for the test squares (at `corner`, unless NULL) and for title and
- * instructions: sets squares, legend, and cover (false when both are found). taken(user, box, at) tells whether a
- * piece meets the box, and a point (2) where it does */
-void mus__legend_place(mus_sheet *sheet, bool (*taken)(const void *user, const double *box, double *at),
-                       const void *user, const double *corner);
+ * instructions, between the pieces, else inside one: sets squares, legend, and cover (false when both are found) */
+void mus__legend_place(mus_sheet *sheet, const mus__ground *ground, const double *corner);
 /* draw title and instructions on the sheet, at `legend` */
 void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out);
 

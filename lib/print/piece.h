@@ -34,8 +34,10 @@ typedef struct mus__piece {
     int32_t copies[MUS_MATERIAL_COUNT]; /* number of copies to cut of each material */
     bool mirrored;    /* half of the copies are cut turned over */
     bool fold;        /* the half of a symmetric piece, to be laid on the fold of the cloth */
-    double axis;      /* x of the fold line, of a half [m] */
-    double inward;    /* +1: the half lies right of its fold line; -1: left */
+    int32_t grain;    /* coordinate that the grain runs along: 1 upright, 0 level */
+    int32_t across;   /* coordinate that the fold line of a half is at: 0 an upright line, 1 a level one */
+    double axis;      /* that coordinate of the fold line [m] */
+    double inward;    /* +1: the half lies right of its fold line, or above it; -1: left, or below */
     bool follower;    /* another size of the nest carries grain line, label and words */
     double turn[4];   /* matrix from the panel's plane to the sheet, row-major: grain upright */
     double shift[2];  /* [m] added after turn */
@@ -63,6 +65,10 @@ void mus__piece_box(mus__piece *piece);
 void mus__piece_move(mus__piece *piece, double x, double y);
 /* mirror a piece left to right (x) and top to bottom (y) in lines through (0, 0); both are half a turn */
 void mus__piece_flip(mus__piece *piece, bool x, bool y);
+/* turn a piece by a quarter, counter-clockwise about (0, 0) */
+void mus__piece_quarter(mus__piece *piece);
+/* turn a box (low x, low y, high x, high y) by a quarter, counter-clockwise about (0, 0) */
+void mus__box_quarter(const double *box, double *out);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
 void mus__cubic_at(const double *p, double t, double *out);
@@ -78,8 +84,8 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
 /* [m] distance of the bracket from the fold line of a half; chosen: its words fit between */
 #define MUS__FOLD_BRACKET 0.012
 
-/* draw cut line, sew line, notches, marks, and the grain line unless it follows; grain (3) gets x, low y, high y of the
- * grain line [m] */
+/* draw cut line, sew line, notches, marks, and the grain line unless it follows; grain (4) gets the ends of the grain
+ * line: x and y of the low one, then of the high one [m] */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain);
 /* the name of a mark, with the left end of its base line and its direction */

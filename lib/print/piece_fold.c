@@ -2,8 +2,9 @@
  * piece_fold.c: a symmetric piece as its half, for the fold of the cloth.
  *
  * A piece is symmetric when its sew line, cut line, notches and marks are their own mirror images in the upright line
- * through its middle, which is parallel to the grain. The half right of that line is kept: polygons are clipped, lines
- * and cubics are split where they cross it.
+ * through its middle, which is parallel to the grain, and edges that come to lie on each other are both sewn, or free
+ * with the same label. So a band whose grain runs along it is no half: its free edge would lie on the one it is sewn
+ * by. The half right of that line is kept: polygons are clipped, lines and cubics are split where they cross it.
  */
 #include <math.h>
 #include <string.h>
@@ -37,6 +38,37 @@ static bool fold_mirrors(int32_t n, const double *xy, double axis)
     for (int32_t i = 0; i < n; i++) {
         const double p[2] = {2.0 * axis - xy[2 * i], xy[2 * i + 1]};
         if (fold_distance(p, n, xy, true) > FOLD_NEAR) return false;
+    }
+    return true;
+}
+
+
+/* are two edges alike: both sewn, or free with the same label? */
+static bool fold_alike(const mus_pattern *pattern, int32_t a, int32_t b)
+{
+    const bool sewn = mus_pattern_edge_seam(pattern, a) != MUS_NONE;
+    if (sewn != (mus_pattern_edge_seam(pattern, b) != MUS_NONE)) return false;
+    return sewn || strcmp(mus_pattern_edge_label(pattern, a), mus_pattern_edge_label(pattern, b)) == 0;
+}
+
+
+/* are edges that come to lie on each other alike? Asked at the middle of each chord, of the chord that its image lies
+ * on; at a corner either one will do */
+static bool fold_edges_mirror(const mus_pattern *pattern, const mus__piece *piece, double axis)
+{
+    for (int32_t i = 0; i < piece->nflat; i++) {
+        const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
+        const double p[2] = {2.0 * axis - 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+        const int32_t edge = piece->sides[piece->flat_side[i]].edge;
+        bool found = false;
+        for (int32_t k = 0; k < piece->nflat && !found; k++) {
+            double line[4];
+            memcpy(line, piece->flat + 2 * k, 2 * sizeof *line);
+            memcpy(line + 2, piece->flat + 2 * ((k + 1) % piece->nflat), 2 * sizeof *line);
+            found = fold_distance(p, 2, line, false) < FOLD_NOTCH &&
+                    fold_alike(pattern, edge, piece->sides[piece->flat_side[k]].edge);
+        }
+        if (!found) return false;
     }
     return true;
 }
@@ -215,7 +247,7 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
     const double axis = 0.5 * (left + right);
     if (piece->cut.nloop != 1 || !fold_mirrors(piece->nflat, piece->flat, axis) ||
         !fold_mirrors(piece->cut.n, piece->cut.xy, axis) || !fold_notches_mirror(pattern, piece, axis) ||
-        !fold_marks_mirror(pattern, piece, axis))
+        !fold_marks_mirror(pattern, piece, axis) || !fold_edges_mirror(pattern, piece, axis))
         return MUS_OK;
     piece->fold = true;
     piece->axis = axis;

@@ -12,7 +12,7 @@
 #include "base/elementary.h"
 #include "drawing/lettering.h"
 #include "print/phrase.h"
-#include "print/sheet.h"
+#include "print/page.h"
 
 #define LABEL_LINES 8    /* most lines of a label: as many as label_lines adds */
 #define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
@@ -36,10 +36,11 @@ typedef struct label_block {
     double width, height; /* at full size [m] */
 } label_block;
 
-/* segments that the label must not touch */
+/* what the label must not touch: segments, and the test squares and the legend, which may lie inside a piece */
 typedef struct label_walls {
     int32_t n, room;
     double *xy; /* (n x 4) */
+    double box[2][4];
 } label_walls;
 
 /* place of the label: its middle [m], scale and direction */
@@ -139,10 +140,9 @@ static mus_status walls_add(mus_context *context, label_walls *walls, const doub
 static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece,
                               const double *grain, label_walls *walls)
 {
-    const double low[2] = {grain[0], grain[1]}, high[2] = {grain[0], grain[2]};
-    const double bracket_x = piece->axis + piece->inward * MUS__FOLD_BRACKET;
-    const double bracket[4] = {bracket_x, piece->box[1], bracket_x, piece->box[3]};
-    mus_status status = walls_add(sheet->context, walls, low, high);
+    double bracket[4] = {piece->box[0], piece->box[1], piece->box[2], piece->box[3]};
+    bracket[piece->across] = bracket[2 + piece->across] = piece->axis + piece->inward * MUS__FOLD_BRACKET;
+    mus_status status = walls_add(sheet->context, walls, grain, grain + 2);
     if (status == MUS_OK && piece->fold) status = walls_add(sheet->context, walls, bracket, bracket + 2);
     for (int32_t i = 0; i < piece->nflat && status == MUS_OK; i++)
         status = walls_add(sheet->context, walls, piece->flat + 2 * i, piece->flat + 2 * ((i + 1) % piece->nflat));
@@ -173,11 +173,10 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
 /* true when the middle of the box is inside the piece and no wall meets the box */
 static bool label_fits(const mus__piece *piece, const label_walls *walls, const double *box)
 {
-    double mx = 0.5 * (box[0] + box[2]), my = 0.5 * (box[1] + box[3]);
-    bool inside = false;
-    for (int32_t i = 0; i < piece->nflat; i++) {
-        const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
-        if ((a[1] > my) != (b[1] > my) && mx < a[0] + (b[0] - a[0]) * (my - a[1]) / (b[1] - a[1])) inside = !inside;
+    bool inside = mus__piece_inside(piece, 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3]));
+    for (int32_t i = 0; i < 2 && inside; i++) {
+        const double *wall = walls->box[i];
+        inside = box[0] > wall[2] || box[2] < wall[0] || box[1] > wall[3] || box[3] < wall[1];
     }
     for (int32_t i = 0; i < walls->n && inside; i++)
         if (mus__segment_meets(walls->xy + 4 * i, walls->xy + 4 * i + 2, box)) inside = false;
@@ -247,7 +246,13 @@ static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, c
 mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t index, const double *grain)
 {
     const mus__piece *piece = &sheet->pieces[index];
-    label_walls walls = {0, 0, NULL};
+    label_walls walls = {0};
+    if (sheet->tiled && !sheet->cover) {
+        const double squares[4] = {sheet->squares[0], sheet->squares[1], sheet->squares[0] + MUS__SQUARES,
+                                   sheet->squares[1] + MUS__SQUARES};
+        memcpy(walls.box[0], squares, sizeof squares);
+        memcpy(walls.box[1], sheet->legend, sizeof sheet->legend);
+    }
     label_block block;
     label_fill(sheet, index, &block);
     mus_status status = walls_build(sheet, pattern, piece, grain, &walls);

@@ -17,7 +17,7 @@
 #define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
 #define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
 #define SLIT_APART 0.004   /* [m] distance of the slits of one notch; chosen: they can be told apart by eye */
-#define GRAIN_CHORDS 25    /* upright lines tried for the grain line; chosen: with more the line is a little longer */
+#define GRAIN_CHORDS 25    /* lines tried for the grain line; chosen: with more the line is a little longer */
 #define FOLD_WORDS 0.022 /* [m] half the length of a bracket at least; chosen: its words fit between its arrows */
 #define ARROW 0.006        /* [m] length of an arrow head; chosen: visible at arm's length */
 /* [m] height of capitals in the name of a mark; chosen: the smallest that is read at arm's length */
@@ -41,7 +41,14 @@ static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t firs
 
 static bool marks_on_fold(const mus__piece *piece, const double *p)
 {
-    return fabs(p[0] - piece->axis) < 1e-9;
+    return fabs(p[piece->across] - piece->axis) < 1e-9;
+}
+
+
+/* distance [m] of a point from the fold line of a half, negative on the side that is not printed */
+static double marks_inward(const mus__piece *piece, const double *p)
+{
+    return piece->inward * (p[piece->across] - piece->axis);
 }
 
 
@@ -132,7 +139,7 @@ static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus_
 
     /* the outside lies on the right of the outline's direction */
     double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
-    if (!(d > 0.0) || (piece->fold && piece->inward * (p[0] - piece->axis) < -1e-6)) return;
+    if (!(d > 0.0) || (piece->fold && marks_inward(piece, p) < -1e-6)) return;
     const double n[2] = {dy / d, -dx / d};
     double reach = marks_reach(piece, p, n, side->width), depth = side->width - SLIT_CLEAR;
     depth = depth > SLIT_DEPTH ? SLIT_DEPTH : depth < SLIT_LEAST ? SLIT_LEAST : depth;
@@ -165,19 +172,20 @@ static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const m
 }
 
 
-/* compute the longest part, low to high, of the upright line at x that lies inside the sew line */
-static double marks_chord(const mus__piece *piece, double x, double *low, double *high)
+/* compute the longest part, low to high, of the line along the grain at `at` across it that lies inside the sew line */
+static double marks_chord(const mus__piece *piece, double at, double *low, double *high)
 {
+    const int32_t g = piece->grain, c = 1 - g;
     double best = 0.0;
     for (int32_t i = 0; i < piece->nflat; i++) {
         const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
-        /* the inside lies above a chord that runs to the right */
-        if (!(a[0] <= x && b[0] > x)) continue;
-        double from = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]), to = HUGE_VAL;
+        /* the inside lies above a chord that runs to the right, and right of one that runs down */
+        if (g == 1 ? !(a[0] <= at && b[0] > at) : !(b[1] <= at && a[1] > at)) continue;
+        double from = a[g] + (b[g] - a[g]) * (at - a[c]) / (b[c] - a[c]), to = HUGE_VAL;
         for (int32_t k = 0; k < piece->nflat; k++) {
-            const double *c = piece->flat + 2 * k, *d = piece->flat + 2 * ((k + 1) % piece->nflat);
-            if (!(d[0] <= x && c[0] > x)) continue;
-            double y = c[1] + (d[1] - c[1]) * (x - c[0]) / (d[0] - c[0]);
+            const double *p = piece->flat + 2 * k, *q = piece->flat + 2 * ((k + 1) % piece->nflat);
+            if (g == 1 ? !(q[0] <= at && p[0] > at) : !(p[1] <= at && q[1] > at)) continue;
+            double y = p[g] + (q[g] - p[g]) * (at - p[c]) / (q[c] - p[c]);
             if (y > from && y < to) to = y;
         }
         if (to < HUGE_VAL && to - from > best) {
@@ -190,24 +198,31 @@ static double marks_chord(const mus__piece *piece, double x, double *low, double
 }
 
 
-static void marks_arrow(mus__drawing *out, double x, double y, double up, double size)
+/* draw an arrow head at p along the coordinate `along`, up or down it */
+static void marks_arrow(mus__drawing *out, const double *p, int32_t along, double up, double size)
 {
-    mus__draw_move(out, x, y);
-    mus__draw_line(out, x - 0.25 * size, y - up * size);
-    mus__draw_line(out, x + 0.25 * size, y - up * size);
+    double wing[2][2];
+    for (int32_t i = 0; i < 2; i++) {
+        wing[i][along] = p[along] - up * size;
+        wing[i][1 - along] = p[1 - along] + (i == 0 ? -0.25 : 0.25) * size;
+    }
+    mus__draw_move(out, p[0], p[1]);
+    mus__draw_line(out, wing[0][0], wing[0][1]);
+    mus__draw_line(out, wing[1][0], wing[1][1]);
     mus__draw_close(out);
 }
 
 
-/* draw the grain line, a double arrow: two thirds of the longest upright line inside the piece, at 0.3 of the piece's
- * width if the upright line there is long enough */
+/* draw the grain line, a double arrow: two thirds of the longest line along the grain inside the piece, at 0.3 of the
+ * piece's width if the line there is long enough */
 static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t index, double *grain)
 {
-    double left = piece->flat[0], right = left, most = 0.0;
+    const int32_t g = piece->grain, c = 1 - g;
+    double left = piece->flat[c], right = left, most = 0.0;
     double lengths[GRAIN_CHORDS], low[GRAIN_CHORDS], high[GRAIN_CHORDS];
     for (int32_t i = 1; i < piece->nflat; i++) {
-        left = piece->flat[2 * i] < left ? piece->flat[2 * i] : left;
-        right = piece->flat[2 * i] > right ? piece->flat[2 * i] : right;
+        left = fmin(left, piece->flat[2 * i + c]);
+        right = fmax(right, piece->flat[2 * i + c]);
     }
     for (int32_t i = 0; i < GRAIN_CHORDS; i++) {
         lengths[i] = marks_chord(piece, left + (right - left) * (i + 0.5) / GRAIN_CHORDS, &low[i], &high[i]);
@@ -223,15 +238,18 @@ static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t inde
     }
     double half = lengths[best] / 3.0, middle = 0.5 * (low[best] + high[best]);
     double size = half > 2.0 * ARROW ? ARROW : 0.5 * half;
-    grain[0] = left + (right - left) * (best + 0.5) / GRAIN_CHORDS;
-    grain[1] = middle - half;
-    grain[2] = middle + half;
+    grain[c] = grain[2 + c] = left + (right - left) * (best + 0.5) / GRAIN_CHORDS;
+    grain[g] = middle - half;
+    grain[2 + g] = middle + half;
+    double shaft[2] = {grain[0], grain[1]}, tip[2] = {grain[2], grain[3]};
+    shaft[g] += 0.5 * size;
+    tip[g] -= 0.5 * size;
     mus__draw_path(out, index, MUS__LAYER_GRAIN, MUS__PEN_GRAIN);
-    mus__draw_move(out, grain[0], grain[1] + 0.5 * size);
-    mus__draw_line(out, grain[0], grain[2] - 0.5 * size);
+    mus__draw_move(out, shaft[0], shaft[1]);
+    mus__draw_line(out, tip[0], tip[1]);
     mus__draw_path(out, index, MUS__LAYER_GRAIN, MUS__PEN_INK);
-    marks_arrow(out, grain[0], grain[2], 1.0, size);
-    marks_arrow(out, grain[0], grain[1], -1.0, size);
+    marks_arrow(out, grain + 2, g, 1.0, size);
+    marks_arrow(out, grain, g, -1.0, size);
 }
 
 
@@ -259,7 +277,8 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int3
     }
     out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
     out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
-    return !piece->fold || piece->inward * (out->x - piece->axis) > 0.0;
+    const double at[2] = {out->x, out->y};
+    return !piece->fold || marks_inward(piece, at) > 0.0;
 }
 
 
@@ -268,11 +287,12 @@ static void marks_segment(mus__drawing *out, const mus__piece *piece, const doub
 {
     double a[2] = {from[0], from[1]}, b[2] = {to[0], to[1]};
     if (piece->fold) {
-        const bool in = piece->inward * (a[0] - piece->axis) >= 0.0, next = piece->inward * (b[0] - piece->axis) >= 0.0;
+        const bool in = marks_inward(piece, a) >= 0.0, next = marks_inward(piece, b) >= 0.0;
         if (in != next) {
+            const int32_t c = piece->across, d = 1 - c;
             double *cut = in ? b : a;
-            cut[1] = from[1] + (to[1] - from[1]) * (piece->axis - from[0]) / (to[0] - from[0]);
-            cut[0] = piece->axis;
+            cut[d] = from[d] + (to[d] - from[d]) * (piece->axis - from[c]) / (to[c] - from[c]);
+            cut[c] = piece->axis;
         }
         if (!in) *open = false;
         if (!in && !next) return;
@@ -283,39 +303,56 @@ static void marks_segment(mus__drawing *out, const mus__piece *piece, const doub
 }
 
 
+/* a step of a path to a point at `x` across the fold line and `y` along it */
+static void marks_fold_step(mus__drawing *out, const mus__piece *piece, bool move, double x, double y)
+{
+    const double p[2] = {piece->across == 0 ? x : y, piece->across == 0 ? y : x};
+    if (move)
+        mus__draw_move(out, p[0], p[1]);
+    else
+        mus__draw_line(out, p[0], p[1]);
+}
+
+
 /* draw the fold line of a half, and a bracket with arrows that point at it */
 static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index)
 {
+    const int32_t along = 1 - piece->across;
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (int32_t i = 0; i < piece->cut.n; i++) {
         if (!marks_on_fold(piece, piece->cut.xy + 2 * i)) continue;
-        low = fmin(low, piece->cut.xy[2 * i + 1]);
-        high = fmax(high, piece->cut.xy[2 * i + 1]);
+        low = fmin(low, piece->cut.xy[2 * i + along]);
+        high = fmax(high, piece->cut.xy[2 * i + along]);
     }
     if (!(high > low)) return;
     const double x = piece->axis, tip = x + piece->inward * ARROW, bracket = x + piece->inward * MUS__FOLD_BRACKET;
     const double third = fmin((high - low) / 3.0, fmax(0.0, 0.5 * (high - low) - FOLD_WORDS));
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_MARK);
-    mus__draw_move(out, x, low);
-    mus__draw_line(out, x, high);
+    marks_fold_step(out, piece, true, x, low);
+    marks_fold_step(out, piece, false, x, high);
     if (piece->follower) return;
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_SQUARE);
-    mus__draw_move(out, tip, low + third);
-    mus__draw_line(out, bracket, low + third);
-    mus__draw_line(out, bracket, high - third);
-    mus__draw_line(out, tip, high - third);
+    marks_fold_step(out, piece, true, tip, low + third);
+    marks_fold_step(out, piece, false, bracket, low + third);
+    marks_fold_step(out, piece, false, bracket, high - third);
+    marks_fold_step(out, piece, false, tip, high - third);
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_INK);
     for (int32_t i = 0; i < 2; i++) {
         const double y = i == 0 ? low + third : high - third;
-        mus__draw_move(out, x, y);
-        mus__draw_line(out, tip, y - 0.25 * ARROW);
-        mus__draw_line(out, tip, y + 0.25 * ARROW);
+        marks_fold_step(out, piece, true, x, y);
+        marks_fold_step(out, piece, false, tip, y - 0.25 * ARROW);
+        marks_fold_step(out, piece, false, tip, y + 0.25 * ARROW);
         mus__draw_close(out);
     }
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, mus_language_text(out->language, "paper.fold"),
-                   bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), 0.5 * (low + high),
-                   &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
+    /* between the fold line and its bracket; beside an upright one the words run upwards */
+    const double words = bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), middle = 0.5 * (low + high);
+    if (piece->across == 0)
+        mus__draw_text(out, mus_language_text(out->language, "paper.fold"), words, middle,
+                       &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
+    else
+        mus__draw_text(out, mus_language_text(out->language, "paper.fold"), middle,
+                       bracket - (piece->inward > 0.0 ? 0.004 : -0.0015), &(mus__text_style){CAPTION, 1.0, 0.0, 0.5});
 }
 
 
@@ -330,7 +367,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         double first[2], p[2];
         bool open = false;
         mus__piece_point(piece, xy, first);
-        if (n == 1 && piece->fold && piece->inward * (first[0] - piece->axis) < -1e-9) continue;
+        if (n == 1 && piece->fold && marks_inward(piece, first) < -1e-9) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
         mus__draw_mark(out, i);
         if (n == 1) {
@@ -357,7 +394,7 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
 {
     const double *point = dart + 2, *end = dart + 6, dx = end[0] - point[0], dy = end[1] - point[1];
     const double d = sqrt(dx * dx + dy * dy), middle[2] = {0.5 * (point[0] + end[0]), 0.5 * (point[1] + end[1])};
-    if (!(d > 0.0) || (piece->fold && piece->inward * (point[0] - piece->axis) < -1e-9)) return;
+    if (!(d > 0.0) || (piece->fold && marks_inward(piece, point) < -1e-9)) return;
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_DRILL);
     mus__draw_move(out, point[0] - DRILL, point[1]);
     mus__draw_line(out, point[0] + DRILL, point[1]);

@@ -64,7 +64,7 @@ void mus__piece_free(mus_context *context, mus__piece *piece)
 void mus__piece_move(mus__piece *piece, double x, double y)
 {
     const double by[2] = {x, y};
-    piece->axis += x;
+    piece->axis += by[piece->across];
     for (int32_t k = 0; k < 2; k++) {
         piece->shift[k] += by[k];
         piece->box[k] += by[k];
@@ -126,9 +126,43 @@ void mus__piece_flip(mus__piece *piece, bool x, bool y)
         piece->box[k] = sign[k] < 0.0 ? -old[2 + k] : old[k];
         piece->box[2 + k] = sign[k] < 0.0 ? -old[k] : old[2 + k];
     }
-    piece->axis *= sign[0];
-    piece->inward *= sign[0];
+    piece->axis *= sign[piece->across];
+    piece->inward *= sign[piece->across];
     if (x != y) piece_turn_round(piece);
+}
+
+
+void mus__box_quarter(const double *box, double *out)
+{
+    const double turned[4] = {-box[3], box[0], -box[1], box[2]};
+    memcpy(out, turned, sizeof turned);
+}
+
+
+/* turn n points (n x 2) by a quarter: (x, y) goes to (-y, x) */
+static void piece_quarter(int32_t n, double *xy)
+{
+    for (int32_t i = 0; i < n; i++) {
+        const double x = xy[2 * i];
+        xy[2 * i] = -xy[2 * i + 1];
+        xy[2 * i + 1] = x;
+    }
+}
+
+
+void mus__piece_quarter(mus__piece *piece)
+{
+    for (int32_t i = 0; i < piece->nspan; i++) piece_quarter(4, piece->spans[i].p);
+    piece_quarter(piece->nflat, piece->flat);
+    piece_quarter(piece->cut.n, piece->cut.xy);
+    piece_quarter(4 * piece->ndart, piece->darts);
+    piece_quarter(1, piece->shift);
+    const double turn[4] = {-piece->turn[2], -piece->turn[3], piece->turn[0], piece->turn[1]};
+    memcpy(piece->turn, turn, sizeof turn);
+    mus__box_quarter(piece->box, piece->box);
+    piece->grain = 1 - piece->grain;
+    if (piece->across == 1) piece->axis *= -1.0, piece->inward *= -1.0;
+    piece->across = 1 - piece->across;
 }
 
 
@@ -412,6 +446,7 @@ mus_status mus__piece_make(mus_context *context, const mus_pattern *pattern, int
     int32_t n = 0, *edges = NULL, *directions;
     span_list spans = {.context = context};
     piece->panel = panel;
+    piece->grain = 1;
     piece->inward = 1.0;
     mus_status status = mus_pattern_outline(pattern, panel, &n, NULL, NULL);
     if (status == MUS_OK) {

@@ -222,7 +222,7 @@ static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
 static mus_status sheet_marks(const mus_sheet *sheet, const mus_pattern *const *patterns, mus__drawing *out)
 {
     for (int32_t i = 0; i < sheet->npiece; i++) {
-        double grain[3];
+        double grain[4];
         mus__marks_draw(out, patterns[i % sheet->nsize], &sheet->pieces[i], i, grain);
     }
     return out->status;
@@ -232,6 +232,7 @@ static mus_status sheet_marks(const mus_sheet *sheet, const mus_pattern *const *
 /* the pieces as they lie, with the boxes of their runs */
 typedef struct sheet_view {
     const mus_sheet *sheet;
+    const mus__drawing *lines;
     double *runs;
 } sheet_view;
 
@@ -248,16 +249,28 @@ static bool sheet_taken(const void *user, const double *box, double *at)
 }
 
 
-/* find the place of the legend between the pieces as they lie */
-static mus_status sheet_legend(mus_sheet *sheet)
+static bool sheet_held(const void *user, const double *box)
+{
+    const sheet_view *view = user;
+    bool held = false;
+    for (int32_t i = 0; i < view->sheet->npiece && !held; i++) held = mus__piece_holds(&view->sheet->pieces[i], box);
+    for (int32_t i = 0; i < view->lines->npath && held; i++)
+        held = !sheet_path_meets(view->lines, &view->lines->paths[i], box);
+    return held;
+}
+
+
+/* find the place of the legend among the pieces as they lie, whose lines are drawn */
+static mus_status sheet_legend(mus_sheet *sheet, const mus__drawing *lines)
 {
     int32_t n = 0;
     for (int32_t i = 0; i < sheet->npiece; i++) n += mus__piece_runs(&sheet->pieces[i], NULL);
-    sheet_view view = {sheet, mus__print_new(sheet->context, n, 4 * sizeof *view.runs)};
+    sheet_view view = {sheet, lines, mus__print_new(sheet->context, n, 4 * sizeof *view.runs)};
     if (view.runs == NULL) return mus__print_memory(sheet->context, "the place of the legend");
     n = 0;
     for (int32_t i = 0; i < sheet->npiece; i++) n += mus__piece_runs(&sheet->pieces[i], view.runs + 4 * n);
-    mus__legend_place(sheet, sheet_taken, &view, sheet->packed ? sheet->squares : NULL);
+    const mus__ground ground = {sheet_taken, sheet_held, &view};
+    mus__legend_place(sheet, &ground, sheet->packed ? sheet->squares : NULL);
     mus__print_free(sheet->context, view.runs);
     return MUS_OK;
 }
@@ -271,8 +284,8 @@ static mus_status sheet_pages(mus_sheet *sheet, const mus_pattern *const *patter
     mus__sheet_draw_init(sheet, &lines);
     mus_status status = sheet_marks(sheet, patterns, &lines);
     if (status == MUS_OK) sheet_prune(sheet, &lines);
+    if (status == MUS_OK) status = sheet_legend(sheet, &lines);
     mus__draw_free(&lines);
-    if (status == MUS_OK) status = sheet_legend(sheet);
     return status != MUS_OK || !sheet->cover ? status : mus__cover_check(sheet);
 }
 
@@ -295,7 +308,7 @@ static mus_status sheet_draw(mus_sheet *sheet, const mus_pattern *const *pattern
     mus_status status = MUS_OK;
     for (int32_t i = 0; i < sheet->npiece && status == MUS_OK; i++) {
         const mus_pattern *pattern = patterns[i % sheet->nsize];
-        double grain[3];
+        double grain[4];
         mus__marks_draw(&sheet->drawing, pattern, &sheet->pieces[i], i, grain);
         if (sheet->nsize > 1) sheet_size_name(sheet, i);
         if (!sheet->pieces[i].follower || sheet->nsize == 1) status = mus__label_draw(sheet, pattern, i, grain);

@@ -58,6 +58,9 @@ int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);
  * (2), unless NULL, gets a point where it does */
 bool mus__segment_meets(const double *a, const double *b, const double *box);
 bool mus__piece_meets(const mus__piece *piece, const double *runs, const double *box, double *at);
+/* true when the point lies inside the sew line of the piece; when the whole box does */
+bool mus__piece_inside(const mus__piece *piece, double x, double y);
+bool mus__piece_holds(const mus__piece *piece, const double *box);
 /* write the boxes of each MUS__RUN sides of the cut line, those of a group after the box of the group, to `runs`
  * (n x 4), which spare mus__piece_meets most sides; both take NULL. Returns n */
 int32_t mus__piece_runs(const mus__piece *piece, double *runs);

@@ -8,7 +8,8 @@
  *
  * When everything fits on one page with the test squares, there is no grid and no cover. Otherwise both ways round of
  * the paper, several widths of the sheet and several orders of the pieces are tried, and the layout with the fewest
- * pages is taken. The sizes of a piece (a nest) lie on each other and are placed as one.
+ * pages is taken, of several the one with the shortest long side, which finds room on a table. The sizes of a piece (a
+ * nest) lie on each other and are placed as one.
  */
 #include <math.h>
 #include <string.h>
@@ -16,20 +17,21 @@
 #include "print/outline_pack.h"
 #include "print/page.h"
 
-#define PIECE_GAP 0.006      /* [m] distance of two cut lines; chosen: scissors pass between two pieces */
+#define PIECE_GAP 0.004 /* [m] distance of two cut lines; chosen: scissors pass between two pieces */
 /* [m] distance of cut lines from the edge of the printed window: twice their width, so that they are drawn whole */
 #define SHEET_BORDER 0.001
 /* widths of the sheet tried beyond the least, in columns; chosen: more seldom save a page */
 #define MORE_COLUMNS 10
-/* orders of the pieces: sorted ones, tried for each width, and further ones, tried for each width whose sorted ones
- * took at most a page more than the best; chosen: twice as many seldom save a page */
+/* orders of the pieces: sorted ones, tried for each width, and steps from each of them, tried for each width whose
+ * sorted ones took at most a page more than the best; chosen: twice as many seldom save a page */
 #define SORTED 3
-#define SHUFFLED 24
-#define SHUFFLED_PAGES 100 /* pages of a sheet whose orders are shuffled; chosen: nobody tapes more */
-/* [m] widths of the slabs of the packer, for the first search and for the last; the fine one costs five times as much
- * and loses less than 1 mm beside an upright line */
+#define STEPS 6
+#define WAYS 8            /* ways round of a shape: mirrored or not in two directions, and turned by a quarter or not */
+#define CLIMBED_PAGES 100 /* pages of a sheet whose orders are changed by steps; chosen: nobody tapes more */
+/* [m] widths of the slabs of the packer, for the first search and for the last; the fine one costs three times as much
+ * and loses less than 2 mm beside an upright line */
 #define SLAB_COARSE 0.005
-#define SLAB_FINE 0.001
+#define SLAB_FINE 0.002
 #define TILES_MAX 10000      /* most tiles of a sheet; chosen: a square of about 25 m on A4 */
 
 
@@ -42,6 +44,7 @@ typedef struct layout {
     bool squares;       /* the test squares are packed too */
     bool cover;         /* title and test squares find no place on the pages */
     double used;        /* height that the pieces take [m] */
+    double reach;       /* longer side of the sheet [m] */
     double offset[2];   /* of the pieces from the left and from the top of the sheet, within what is free [m] */
     mus__place *places; /* (nnest + 1) the last is that of the test squares, when they are packed */
 } layout;
@@ -53,9 +56,13 @@ typedef struct search {
     int32_t *run;      /* (pieces) first box of each piece */
     double *box;       /* (n + 1) x 4 low x, low y, high x, high y of all sizes of a nest [m] */
     mus__shape *shapes; /* (n + 1) */
+    mus__shape *lying;  /* (n) the same, turned by a quarter, on a sheet of halves */
     int32_t *order;    /* (n + 1) in which the shapes are packed */
+    int32_t *kept;     /* (n + 1) x 2 a kept order, and the way round that each shape is tried in first */
     mus__strip strip;
     int32_t tile_room;
+    int32_t *pages;                     /* (TILES_MAX) for the count of pages while shapes are packed */
+    bool by_page;                       /* shapes are packed where they take fewest pages */
     int32_t least[2][MORE_COLUMNS + 1]; /* pages of the best layout of each width, upright and landscape; 0: none */
     mus_status status;
     layout now, best;
@@ -66,12 +73,16 @@ static void search_free(const mus_sheet *sheet, search *s)
 {
     mus_context *context = sheet->context;
     for (int32_t i = 0; i <= s->n && s->shapes != NULL; i++) mus__shape_free(context, &s->shapes[i]);
+    for (int32_t i = 0; i < s->n && s->lying != NULL; i++) mus__shape_free(context, &s->lying[i]);
     mus__strip_free(context, &s->strip);
     mus__print_free(context, s->runs);
     mus__print_free(context, s->run);
     mus__print_free(context, s->box);
     mus__print_free(context, s->shapes);
+    mus__print_free(context, s->lying);
     mus__print_free(context, s->order);
+    mus__print_free(context, s->kept);
+    mus__print_free(context, s->pages);
     mus__print_free(context, s->now.places);
     mus__print_free(context, s->best.places);
 }
@@ -91,8 +102,11 @@ static mus_status search_shape(const mus_sheet *sheet, search *s, int32_t nest, 
             box[2 + d] = fmax(box[2 + d], pieces[k].box[2 + d]);
         }
     }
-    const mus_status status = mus__shape_make(sheet->context, sheet->nsize, loops, box, PIECE_GAP, slab,
-                                              &s->shapes[nest]);
+    mus_status status = mus__shape_make(sheet->context, sheet->nsize, loops, box, PIECE_GAP, slab, &s->shapes[nest]);
+    if (status == MUS_OK && sheet->def.fold) {
+        status = mus__shape_make_lying(sheet->context, sheet->nsize, loops, box, PIECE_GAP, slab, &s->lying[nest]);
+        s->shapes[nest].lying = &s->lying[nest];
+    }
     s->shapes[nest].turns = sheet->def.fold != 0;
     s->shapes[nest].flips = pieces->fold;
     return status;
@@ -105,6 +119,7 @@ static mus_status search_shapes(const mus_sheet *sheet, search *s, double slab)
     const int32_t n = s->n;
     mus_status status = MUS_OK;
     for (int32_t i = 0; i <= n; i++) mus__shape_free(sheet->context, &s->shapes[i]);
+    for (int32_t i = 0; i < n; i++) mus__shape_free(sheet->context, &s->lying[i]);
     mus__strip_free(sheet->context, &s->strip);
     for (int32_t i = 0; i < n && status == MUS_OK; i++) status = search_shape(sheet, s, i, slab);
 
@@ -118,7 +133,7 @@ static mus_status search_shapes(const mus_sheet *sheet, search *s, double slab)
 
     double widest = 0.0, paper[2];
     mus__paper_size(sheet->def.paper, paper);
-    for (int32_t i = 0; i < n; i++) widest = fmax(widest, s->shapes[i].width);
+    for (int32_t i = 0; i < n; i++) widest = fmax(widest, mus__shape_narrow(&s->shapes[i]));
     widest += (MORE_COLUMNS + 2) * fmax(paper[0], sheet->def.paper == MUS_PAPER_ROLL ? 0.0 : paper[1]);
     return status == MUS_OK ? mus__strip_make(sheet->context, n + 1, s->shapes, widest, &s->strip) : status;
 }
@@ -133,11 +148,14 @@ static mus_status search_make(const mus_sheet *sheet, search *s)
     s->run = mus__print_new(sheet->context, sheet->npiece, sizeof *s->run);
     s->box = mus__print_new(sheet->context, n + 1, 4 * sizeof *s->box);
     s->shapes = mus__print_new(sheet->context, n + 1, sizeof *s->shapes);
+    s->lying = mus__print_new(sheet->context, n, sizeof *s->lying);
     s->order = mus__print_new(sheet->context, n + 1, sizeof *s->order);
+    s->kept = mus__print_new(sheet->context, n + 1, 2 * sizeof *s->kept);
+    s->pages = mus__print_new(sheet->context, TILES_MAX, sizeof *s->pages);
     s->now.places = mus__print_new(sheet->context, n + 1, sizeof *s->now.places);
     s->best.places = mus__print_new(sheet->context, n + 1, sizeof *s->best.places);
-    if (s->runs == NULL || s->run == NULL || s->box == NULL || s->shapes == NULL || s->order == NULL ||
-        s->now.places == NULL || s->best.places == NULL)
+    if (s->runs == NULL || s->run == NULL || s->box == NULL || s->shapes == NULL || s->lying == NULL ||
+        s->order == NULL || s->kept == NULL || s->pages == NULL || s->now.places == NULL || s->best.places == NULL)
         return mus__print_memory(sheet->context, "the layout of a sheet");
     for (int32_t i = 0, at = 0; i < sheet->npiece; i++) {
         s->run[i] = at;
@@ -158,25 +176,46 @@ static bool order_before(const mus__shape *a, const mus__shape *b, int32_t by)
 }
 
 
-/* order number `try`: sorted in three ways (insertion sort: a pattern has few pieces); from SORTED on with drawn ways
- * round that each shape is tried in first, and each second one shuffled */
-static void search_order(search *s, int32_t n, int32_t try, uint32_t *seed)
+/* sort the n shapes that are packed, in one of SORTED ways (insertion sort: a pattern has few pieces) */
+static void search_sort(search *s, int32_t n, int32_t by)
 {
     for (int32_t i = 0; i < n; i++) {
         int32_t j = i;
         s->shapes[i].first = 0;
-        for (; j > 0 && order_before(&s->shapes[i], &s->shapes[s->order[j - 1]], try % SORTED); j--)
+        for (; j > 0 && order_before(&s->shapes[i], &s->shapes[s->order[j - 1]], by); j--)
             s->order[j] = s->order[j - 1];
         s->order[j] = i;
     }
-    /* Fisher and Yates; the generator is that of Numerical Recipes, 1992, section 7.1 */
-    for (int32_t i = n - 1; try >= SORTED && i >= 0; i--) {
-        *seed = 1664525u * *seed + 1013904223u;
-        const int32_t k = (int32_t)((*seed >> 8) % (uint32_t)(i + 1)), held = s->order[i];
-        s->shapes[i].first = (int32_t)(*seed >> 30);
-        if (try / 2 % 2 == 0) continue;
-        s->order[i] = s->order[k];
-        s->order[k] = held;
+}
+
+
+/* the next number of the generator of Numerical Recipes, 1992, section 7.1, below n */
+static int32_t search_draw(uint32_t *seed, int32_t n)
+{
+    *seed = 1664525u * *seed + 1013904223u;
+    return (int32_t)((*seed >> 8) % (uint32_t)n);
+}
+
+
+/* change the order by one step: a shape changes its place with another, and gets a drawn way round to be tried first */
+static void search_step(search *s, int32_t n, uint32_t *seed)
+{
+    const int32_t i = search_draw(seed, n), k = search_draw(seed, n), held = s->order[i];
+    s->order[i] = s->order[k];
+    s->order[k] = held;
+    s->shapes[held].first = search_draw(seed, WAYS);
+}
+
+
+/* keep the order and the ways round, or take back those that were kept */
+static void search_keep(search *s, bool back)
+{
+    for (int32_t i = 0; i <= s->n; i++) {
+        int32_t *kept = s->kept + 2 * i;
+        if (back)
+            s->order[i] = kept[0], s->shapes[i].first = kept[1];
+        else
+            kept[0] = s->order[i], kept[1] = s->shapes[i].first;
     }
 }
 
@@ -196,7 +235,12 @@ static bool layout_pack(const mus_sheet *sheet, search *s, int32_t n, int32_t co
     layout *l = &s->now;
     const double margin = sheet->def.margin, overlap = sheet->def.overlap;
     const double width = columns * sheet_step(sheet, l, 0) + overlap - 2.0 * SHEET_BORDER;
+    mus__pages pages = {.border = SHEET_BORDER, .columns = columns, .rows = TILES_MAX / columns, .seen = s->pages};
+    for (int32_t d = 0; d < 2; d++) pages.step[d] = sheet_step(sheet, l, d);
+    if (s->by_page) memset(s->pages, 0, (size_t)TILES_MAX * sizeof *s->pages);
+    s->strip.pages = s->by_page ? &pages : NULL;
     l->used = mus__strip_pack(&s->strip, n, s->shapes, s->order, width, PIECE_GAP, l->places);
+    s->strip.pages = NULL;
     if (l->used < 0.0) return false;
 
     const double need = l->used + 2.0 * SHEET_BORDER;
@@ -210,10 +254,21 @@ static bool layout_pack(const mus_sheet *sheet, search *s, int32_t n, int32_t co
 }
 
 
+/* box of nest i as it is turned [m] */
+static void search_box(const search *s, const layout *l, int32_t i, double *box)
+{
+    if (l->places[i].quarter)
+        mus__box_quarter(s->box + 4 * i, box);
+    else
+        memcpy(box, s->box + 4 * i, 4 * sizeof *box);
+}
+
+
 /* low corner of nest i on the sheet: the packer measures from the upper left corner */
 static void layout_corner(const mus_sheet *sheet, const search *s, const layout *l, int32_t i, double *out)
 {
-    const double *box = s->box + 4 * i;
+    double box[4];
+    search_box(s, l, i, box);
     const double top = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap - SHEET_BORDER;
     out[0] = l->places[i].x + l->offset[0] + SHEET_BORDER;
     out[1] = top - l->offset[1] - l->places[i].y - (box[3] - box[1]);
@@ -228,6 +283,38 @@ typedef struct layout_view {
 } layout_view;
 
 
+/* map a box on the sheet to where nest i was made; false when it is apart from the box of the nest */
+static bool layout_into(const layout_view *view, int32_t i, const double *box, double *at)
+{
+    const mus__place *place = &view->layout->places[i];
+    double own[4], corner[2], turned[4];
+    search_box(view->search, view->layout, i, own);
+    layout_corner(view->sheet, view->search, view->layout, i, corner);
+    for (int32_t k = 0; k < 2; k++) {
+        const double low = box[k] - corner[k], high = box[2 + k] - corner[k];
+        if (high < 0.0 || low > own[2 + k] - own[k]) return false;
+        turned[k] = place->flip[k] ? own[2 + k] - high : own[k] + low;
+        turned[2 + k] = place->flip[k] ? own[2 + k] - low : own[k] + high;
+    }
+    /* back by a quarter: (x, y) came from (y, -x) */
+    const double back[4] = {turned[1], -turned[2], turned[3], -turned[0]};
+    memcpy(at, place->quarter ? back : turned, 4 * sizeof *at);
+    return true;
+}
+
+
+/* map a point of nest i as it was made to the sheet, in place */
+static void layout_out(const layout_view *view, int32_t i, double *p)
+{
+    const mus__place *place = &view->layout->places[i];
+    double own[4], corner[2];
+    search_box(view->search, view->layout, i, own);
+    layout_corner(view->sheet, view->search, view->layout, i, corner);
+    const double turned[2] = {place->quarter ? -p[1] : p[0], place->quarter ? p[0] : p[1]};
+    for (int32_t d = 0; d < 2; d++) p[d] = corner[d] + (place->flip[d] ? own[2 + d] - turned[d] : turned[d] - own[d]);
+}
+
+
 /* true when a piece of the layout meets the box (low x, low y, high x, high y on the sheet [m]); met (2), unless NULL,
  * gets a point where it does */
 static bool layout_meets(const void *user, const double *box, double *met)
@@ -235,25 +322,31 @@ static bool layout_meets(const void *user, const double *box, double *met)
     const layout_view *view = user;
     const mus_sheet *sheet = view->sheet;
     for (int32_t i = 0; i < view->search->n; i++) {
-        const double *own = view->search->box + 4 * i;
-        double corner[2], at[4];
-        layout_corner(sheet, view->search, view->layout, i, corner);
-        const double low[2] = {box[0] - corner[0], box[1] - corner[1]};
-        const double high[2] = {box[2] - corner[0], box[3] - corner[1]};
-        if (high[0] < 0.0 || high[1] < 0.0 || low[0] > own[2] - own[0] || low[1] > own[3] - own[1]) continue;
-        for (int32_t k = 0; k < 2; k++) {
-            const bool flip = view->layout->places[i].flip[k];
-            at[k] = flip ? own[2 + k] - high[k] : own[k] + low[k];
-            at[2 + k] = flip ? own[2 + k] - low[k] : own[k] + high[k];
-        }
+        double at[4];
+        if (!layout_into(view, i, box, at)) continue;
         for (int32_t k = 0; k < sheet->nsize; k++) {
             const int32_t piece = i * sheet->nsize + k;
             const double *runs = view->search->runs + 4 * view->search->run[piece];
             if (!mus__piece_meets(&sheet->pieces[piece], runs, at, met)) continue;
-            for (int32_t d = 0; d < 2 && met != NULL; d++)
-                met[d] = corner[d] + (view->layout->places[i].flip[d] ? own[2 + d] - met[d] : met[d] - own[d]);
+            if (met != NULL) layout_out(view, i, met);
             return true;
         }
+    }
+    return false;
+}
+
+
+/* true when the sew line of a piece of the layout, in all its sizes, runs round the box */
+static bool layout_holds(const void *user, const double *box)
+{
+    const layout_view *view = user;
+    const int32_t nsize = view->sheet->nsize;
+    for (int32_t i = 0; i < view->search->n; i++) {
+        double at[4];
+        int32_t k = 0;
+        if (!layout_into(view, i, box, at)) continue;
+        while (k < nsize && mus__piece_holds(&view->sheet->pieces[i * nsize + k], at)) k++;
+        if (k == nsize) return true;
     }
     return false;
 }
@@ -288,8 +381,17 @@ static mus_status layout_pages(mus_sheet *sheet, search *s, layout *l, int32_t m
 }
 
 
-/* count the pages of the layout, with a cover if it needs one, and keep it when they are fewer, or when it leaves more
- * of the last row */
+/* is a layout of `pages` pages better than the best: fewer pages, or as many on a sheet whose long side is shorter, or
+ * that leaves more of its last row? */
+static bool layout_before(const layout *l, const layout *best, int32_t pages)
+{
+    const int32_t most = best->ntile + best->cover;
+    if (pages != most) return pages < most;
+    return l->reach != best->reach ? l->reach < best->reach : l->used < best->used;
+}
+
+
+/* count the pages of the layout, with a cover if it needs one, and keep it when it is better */
 static void layout_compare(mus_sheet *sheet, search *s)
 {
     layout *l = &s->now, *best = &s->best;
@@ -299,16 +401,17 @@ static void layout_compare(mus_sheet *sheet, search *s)
     if (s->status != MUS_OK) return;
     l->ntile = sheet->ntile;
     l->cover = false;
-    if (best->ntile > 0 && (most < l->ntile || (most == l->ntile && best->used <= l->used))) return;
+    l->reach = fmax(sheet->extent[0], sheet->extent[1]);
+    if (best->ntile > 0 && !layout_before(l, best, l->ntile)) return;
     if (sheet->tiled) {
         const layout_view view = {sheet, s, l};
         double corner[2];
         if (l->squares) layout_corner(sheet, s, l, s->n, corner);
-        mus__legend_place(sheet, layout_meets, &view, l->squares ? corner : NULL);
+        const mus__ground ground = {layout_meets, layout_holds, &view};
+        mus__legend_place(sheet, &ground, l->squares ? corner : NULL);
         l->cover = sheet->cover;
     }
-    const int32_t count = l->ntile + l->cover;
-    if (best->ntile > 0 && (most < count || (most == count && best->used <= l->used))) return;
+    if (best->ntile > 0 && !layout_before(l, best, l->ntile + l->cover)) return;
     mus__place *places = best->places;
     *best = *l;
     best->places = places;
@@ -322,7 +425,11 @@ static int32_t layout_move(mus_sheet *sheet, search *s, int32_t least)
 {
     layout *l = &s->now;
     double right = 0.0, free[2];
-    for (int32_t i = 0; i < s->n; i++) right = fmax(right, l->places[i].x + s->shapes[i].width);
+    for (int32_t i = 0; i < s->n; i++) {
+        double box[4];
+        search_box(s, l, i, box);
+        right = fmax(right, l->places[i].x + box[2] - box[0]);
+    }
     free[0] = l->columns * sheet_step(sheet, l, 0) + sheet->def.overlap - 2.0 * SHEET_BORDER - right;
     free[1] = l->rows * sheet_step(sheet, l, 1) + sheet->def.overlap - 2.0 * SHEET_BORDER - l->used;
     const int32_t rows = l->rows;
@@ -338,25 +445,58 @@ static int32_t layout_move(mus_sheet *sheet, search *s, int32_t least)
 }
 
 
-/* try the orders first .. last of one width of the sheet; returns the fewest pages, 0 when a piece is too wide or there
- * are too many pages */
-static int32_t layout_orders(mus_sheet *sheet, search *s, int32_t columns, int32_t last)
+/* pack the shapes in their order on one width of the sheet and compare; returns the fewest pages, 0 when a piece is too
+ * wide or there are too many pages */
+static int32_t layout_try(mus_sheet *sheet, search *s, int32_t n, int32_t columns)
 {
     layout *l = &s->now;
+    if (!layout_pack(sheet, s, n, columns) || (int64_t)l->columns * l->rows > TILES_MAX) return 0;
+    return layout_move(sheet, s, TILES_MAX);
+}
+
+
+/* try the sorted orders of one width of the sheet: nearest to the top, without the test squares and with them, and on
+ * fewest pages; returns the fewest pages, 0 when a piece is too wide or there are too many pages */
+static int32_t layout_orders(mus_sheet *sheet, search *s, int32_t columns)
+{
     int32_t least = TILES_MAX;
-    uint32_t seed = 1;
-    for (int32_t try = 0; try < last; try++) {
-        /* each second one has the test squares among the pieces */
-        search_order(s, s->n + try % 2, try, &seed);
-        if (!layout_pack(sheet, s, s->n + try % 2, columns) || (int64_t)l->columns * l->rows > TILES_MAX) return 0;
-        least = layout_move(sheet, s, least);
+    for (int32_t try = 0; try < 3 * SORTED; try++) {
+        const int32_t n = s->n + (try % 3 == 1 ? 1 : 0);
+        s->by_page = try % 3 == 2;
+        search_sort(s, n, try / 3);
+        const int32_t pages = layout_try(sheet, s, n, columns);
+        if (pages == 0) return 0;
+        least = pages < least ? pages : least;
     }
     return least;
 }
 
 
+/* climb from each sorted order of one width of the sheet, by pages or by height: of steps that are drawn, those that
+ * take no more pages, and on as many no more height, are kept */
+static void layout_climb(mus_sheet *sheet, search *s, int32_t columns, bool by_page)
+{
+    uint32_t seed = 1;
+    s->by_page = by_page;
+    for (int32_t by = 0; by < SORTED; by++) {
+        search_sort(s, s->n, by);
+        int32_t least = layout_try(sheet, s, s->n, columns);
+        double used = s->now.used;
+        if (least == 0) return;
+        search_keep(s, false);
+        for (int32_t step = 0; step < STEPS; step++) {
+            search_step(s, s->n, &seed);
+            const int32_t pages = layout_try(sheet, s, s->n, columns);
+            const bool kept = pages > 0 && (pages < least || (pages == least && s->now.used <= used));
+            if (kept) least = pages, used = s->now.used;
+            search_keep(s, !kept);
+        }
+    }
+}
+
+
 /* try the widths of the sheet, from the least on, with the paper upright or landscape: all widths with the sorted
- * orders, or, fine, the best ones with all orders */
+ * orders, or, fine, climb from them on the best ones */
 static void layout_search(mus_sheet *sheet, search *s, int32_t landscape, bool fine)
 {
     double paper[2], widest = 0.0;
@@ -364,14 +504,17 @@ static void layout_search(mus_sheet *sheet, search *s, int32_t landscape, bool f
     mus__paper_size(sheet->def.paper, paper);
     l->page[0] = paper[landscape];
     l->page[1] = paper[1 - landscape];
-    for (int32_t i = 0; i < s->n; i++) widest = fmax(widest, s->shapes[i].width);
+    for (int32_t i = 0; i < s->n; i++) widest = fmax(widest, mus__shape_narrow(&s->shapes[i]));
     double narrow = ceil((widest + 2.0 * SHEET_BORDER - sheet->def.overlap) / sheet_step(sheet, l, 0) - 1e-9);
     narrow = narrow < 1.0 ? 1.0 : fmin(narrow, TILES_MAX);
     const int32_t most = s->best.ntile + s->best.cover + 1;
     for (int32_t k = 0; k <= MORE_COLUMNS; k++) {
         int32_t *least = &s->least[landscape][k];
-        if (!fine) *least = layout_orders(sheet, s, (int32_t)narrow + k, SORTED);
-        else if (*least > 0 && *least <= most) layout_orders(sheet, s, (int32_t)narrow + k, SORTED + SHUFFLED);
+        if (!fine)
+            *least = layout_orders(sheet, s, (int32_t)narrow + k);
+        else if (*least > 0 && *least <= most)
+            layout_climb(sheet, s, (int32_t)narrow + k, false);
+        if (fine && *least > 0 && *least < most) layout_climb(sheet, s, (int32_t)narrow + k, true);
         if (!fine && *least > 0 && l->rows == 1) break;
     }
 }
@@ -385,7 +528,7 @@ static bool layout_single(mus_sheet *sheet, search *s, bool landscape)
     mus__paper_size(sheet->def.paper, paper);
     l->page[0] = paper[landscape ? 1 : 0];
     l->page[1] = paper[landscape ? 0 : 1];
-    search_order(s, s->n + 1, 0, NULL);
+    search_sort(s, s->n + 1, 0);
     if (!layout_pack(sheet, s, s->n + 1, 1) || l->rows > 1) return false;
     s->best.ntile = 0;
     layout_compare(sheet, s);
@@ -400,7 +543,7 @@ static mus_status layout_find(mus_sheet *sheet, search *s)
         if (layout_single(sheet, s, way == 1)) return s->status;
     sheet->tiled = true;
     for (int32_t way = 0; way < ways; way++) layout_search(sheet, s, way, false);
-    if (s->status == MUS_OK && s->best.ntile > 0 && s->best.ntile <= SHUFFLED_PAGES) {
+    if (s->status == MUS_OK && s->best.ntile > 0 && s->best.ntile <= CLIMBED_PAGES) {
         s->status = search_shapes(sheet, s, SLAB_FINE);
         for (int32_t way = 0; way < ways && s->status == MUS_OK; way++) layout_search(sheet, s, way, true);
     }
@@ -419,10 +562,11 @@ static mus_status layout_take(mus_sheet *sheet, search *s)
     if (l->squares) layout_corner(sheet, s, l, s->n, sheet->squares);
     for (int32_t i = 0; i < sheet->npiece; i++) {
         const int32_t nest = i / sheet->nsize;
-        const double *box = s->box + 4 * nest;
-        double corner[2];
+        double box[4], corner[2];
+        search_box(s, l, nest, box);
         layout_corner(sheet, s, l, nest, corner);
         const bool *flip = l->places[nest].flip;
+        if (l->places[nest].quarter) mus__piece_quarter(&sheet->pieces[i]);
         mus__piece_flip(&sheet->pieces[i], flip[0], flip[1]);
         mus__piece_move(&sheet->pieces[i], corner[0] + (flip[0] ? box[2] : -box[0]),
                         corner[1] + (flip[1] ? box[3] : -box[1]));

@@ -61,7 +61,7 @@ mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mus_sheet_
     out->copies = mus__piece_copies(own);
     memcpy(out->materials, own->copies, sizeof own->copies);
     out->mirrored = own->mirrored;
-    out->fold = !own->fold ? 0 : own->inward > 0.0 ? 1 : -1;
+    out->fold = !own->fold ? 0 : (own->inward > 0.0 ? 1 : -1) * (1 + own->across);
     out->size_index = piece % sheet->nsize;
     memcpy(out->turn, own->turn, sizeof out->turn);
     memcpy(out->shift, own->shift, sizeof out->shift);

@@ -121,6 +121,27 @@ bool mus__piece_meets(const mus__piece *piece, const double *runs, const double 
 }
 
 
+bool mus__piece_inside(const mus__piece *piece, double x, double y)
+{
+    bool inside = false;
+    for (int32_t i = 0; i < piece->nflat; i++) {
+        const double *a = piece->flat + 2 * i, *b = piece->flat + 2 * ((i + 1) % piece->nflat);
+        if ((a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1])) inside = !inside;
+    }
+    return inside;
+}
+
+
+bool mus__piece_holds(const mus__piece *piece, const double *box)
+{
+    for (int32_t k = 0; k < 2; k++)
+        if (box[k] < piece->box[k] || box[2 + k] > piece->box[2 + k]) return false;
+    for (int32_t i = 0; i < piece->nflat; i++)
+        if (mus__segment_meets(piece->flat + 2 * i, piece->flat + 2 * ((i + 1) % piece->nflat), box)) return false;
+    return mus__piece_inside(piece, 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3]));
+}
+
+
 void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box)
 {
     double margin = sheet->def.margin, overlap = sheet->def.overlap;

@@ -146,6 +146,45 @@ START_TEST(a_shape_wider_than_the_strip_is_refused)
 END_TEST
 
 
+START_TEST(a_shape_lies_where_it_finds_no_room_upright)
+{
+    /* the box and, as its lying form, the same turned by a quarter */
+    mus__place at[SHAPES];
+    add_box(0.9, 0.2, 0.0);
+    add_box(0.2, 0.9, 0.0);
+    shapes[0].lying = &shapes[1];
+    const int32_t all = count;
+    count = 1;
+    ck_assert_double_eq_tol(pack(0.5, 0.0, at), 0.9, 1e-9);
+    ck_assert(at[0].quarter);
+    count = all;
+}
+END_TEST
+
+
+START_TEST(shapes_take_the_pages_that_are_taken)
+{
+    /* pages of 0.5 m: nearest to the top the last box takes a fourth page, below the second box it takes none anew */
+    for (int32_t by_page = 0; by_page < 2; by_page++) {
+        int32_t seen[20] = {0};
+        mus__pages pages = {.step = {0.5, 0.5}, .columns = 2, .rows = 10, .seen = seen};
+        mus__place at[SHAPES];
+        add_box(0.9, 0.4, 0.0);
+        add_box(0.45, 0.4, 0.0);
+        add_box(0.3, 0.15, 0.0);
+        int32_t order[SHAPES] = {0, 1, 2}, taken = 0;
+        ck_assert_int_eq(mus__strip_make(context, count, shapes, 2.0, &strip), MUS_OK);
+        if (by_page) strip.pages = &pages;
+        mus__strip_pack(&strip, count, shapes, order, 0.999, 0.0, at);
+        ck_assert_double_eq_tol(at[2].y, by_page ? 0.8 : 0.4, 1e-9);
+        for (int32_t i = 0; i < 20; i++) taken += seen[i] == -1;
+        ck_assert_int_eq(taken, by_page ? 3 : 0);
+        clear();
+    }
+}
+END_TEST
+
+
 Suite *mus_suite_outline_pack(void);
 Suite *mus_suite_outline_pack(void)
 {
@@ -156,6 +195,8 @@ Suite *mus_suite_outline_pack(void)
     tcase_add_test(test, a_box_goes_into_the_hollow_of_another_piece);
     tcase_add_test(test, a_turned_wedge_lies_beside_its_like);
     tcase_add_test(test, a_shape_wider_than_the_strip_is_refused);
+    tcase_add_test(test, a_shape_lies_where_it_finds_no_room_upright);
+    tcase_add_test(test, shapes_take_the_pages_that_are_taken);
     suite_add_tcase(suite, test);
     return suite;
 }

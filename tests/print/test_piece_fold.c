@@ -2,6 +2,7 @@
  * test_piece_fold.c: a symmetric piece as its half: unfolded it is the whole; what is not symmetric stays whole.
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "muslin/design.h"
@@ -122,13 +123,71 @@ START_TEST(a_sheet_of_halves_says_so_and_is_no_dxf)
     def.fold = 1;
     ck_assert_int_eq(mus_sheet_create(context, pattern, &def, &sheet), MUS_OK);
     ck_assert_int_eq(mus_sheet_piece_get(sheet, 0, &told), MUS_OK);
-    ck_assert_int_eq(told.fold, 1);
+    ck_assert_int_eq(abs(told.fold), 1 + sheet->pieces[0].across);
+    const double *box = told.box, line = told.fold == 1 ? box[0] : told.fold == 2 ? box[1] : box[1 - told.fold];
+    ck_assert_double_eq_tol(line, sheet->pieces[0].axis, 1e-9);
     char text[64], *bytes;
     size_t size;
     mus__piece_cut_text(&sheet->pieces[0], 0, text, sizeof text);
     ck_assert_str_eq(text, "Cut 1 on fold");
     ck_assert_int_eq(mus_sheet_write_dxf_bytes(sheet, NULL, &bytes, &size), MUS_ERR_ARG);
     mus_sheet_destroy(sheet);
+    mus_pattern_destroy(pattern);
+}
+END_TEST
+
+
+/* a strip with its grain along it is no half where its long edges differ: one is sewn, or the labels are others */
+START_TEST(a_band_is_folded_across_its_length_alone)
+{
+    const double xy[] = {0, 0, 0.4, 0, 0.4, 0.05, 0, 0.05};
+    for (int32_t k = 0; k < 4; k++) {
+        mus_pattern *pattern = sample_polygon(context, 4, xy);
+        mus__piece piece;
+        memset(&piece, 0, sizeof piece);
+        if (k % 2 == 1) ck_assert_int_eq(mus_pattern_set_edge_label(pattern, 2, "top"), MUS_OK);
+        if (k >= 2) ck_assert_int_eq(mus_pattern_set_grain(pattern, 0, 1.0, 0.0), MUS_OK);
+        ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
+        ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
+        ck_assert_int_eq(piece.fold, k != 3);
+        mus__piece_free(context, &piece);
+        mus_pattern_destroy(pattern);
+    }
+}
+END_TEST
+
+
+/* each quarter: points of the panel come to lie on the outline, the fold line on the cut line; four are none */
+START_TEST(a_piece_is_turned_by_quarters)
+{
+    const double xy[] = {0, 0, 0.4, 0, 0.3, 0.6, 0.1, 0.6};
+    mus_pattern *pattern = sample_polygon(context, 4, xy);
+    mus__piece piece;
+    double first[4];
+    memset(&piece, 0, sizeof piece);
+    ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
+    ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
+    ck_assert(piece.fold);
+    memcpy(first, piece.box, sizeof first);
+    for (int32_t k = 1; k <= 4; k++) {
+        const double top[2] = {0.3, 0.6};
+        double p[2], line[2] = {HUGE_VAL, -HUGE_VAL};
+        mus__piece_quarter(&piece);
+        ck_assert_int_eq(piece.grain, k % 2 == 0);
+        ck_assert_int_eq(piece.across, k % 2);
+        mus__piece_point(&piece, top, p);
+        ck_assert_double_lt(away(p, piece.nflat, piece.flat), 1e-9);
+        for (int32_t i = 0; i < piece.cut.n; i++) {
+            const double *at = piece.cut.xy + 2 * i;
+            ck_assert_double_ge(piece.inward * (at[piece.across] - piece.axis), -1e-9);
+            if (fabs(at[piece.across] - piece.axis) > 1e-9) continue;
+            line[0] = fmin(line[0], at[1 - piece.across]);
+            line[1] = fmax(line[1], at[1 - piece.across]);
+        }
+        ck_assert_double_eq_tol(line[1] - line[0], 0.62, 1e-6);
+    }
+    for (int32_t i = 0; i < 4; i++) ck_assert_double_eq_tol(piece.box[i], first[i], 1e-12);
+    mus__piece_free(context, &piece);
     mus_pattern_destroy(pattern);
 }
 END_TEST
@@ -143,6 +202,8 @@ Suite *mus_suite_piece_fold(void)
     tcase_add_test(test, halves_of_named_designs_unfold_to_the_whole);
     tcase_add_test(test, what_is_not_symmetric_stays_whole);
     tcase_add_test(test, a_sheet_of_halves_says_so_and_is_no_dxf);
+    tcase_add_test(test, a_band_is_folded_across_its_length_alone);
+    tcase_add_test(test, a_piece_is_turned_by_quarters);
     suite_add_tcase(suite, test);
     return suite;
 }

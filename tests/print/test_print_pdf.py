@@ -2,6 +2,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -135,7 +136,7 @@ def test_a_reader_finds_the_words_in_three_scripts(tmp_path):
     title, person, pdf = "Skirt Größe 40", "Ольга 山田", tmp_path / "skirt.pdf"
     muslin.Sheet(muslin.draft("skirt", "W40"), title=title, person=person, fold=1).write_pdf(pdf)
     text = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
-    for words in (title, person, "skirt front", "Cut 1 on fold", "place on fold", "Piece 2 of", "100 mm", "B2"):
+    for words in (title, person, "skirt front", "Cut 1 on fold", "place on fold", "Piece 2 of", "100 mm", "A2"):
         assert words in text, words
 
 
@@ -155,3 +156,21 @@ def test_each_size_is_a_layer_that_is_on(tmp_path):
         done = subprocess.run(["qpdf", "--check", pdf], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
     assert subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stderr == ""
+
+
+@pytest.mark.parametrize("design, most", [("tshirt", 12), ("pencil_skirt_knee", 8)])
+def test_paper_of_halves_is_short_and_unfolds_to_the_pattern(tmp_path, design, most):
+    """What `make dress` prints, read from the content stream by code of its own: pages, lines of pages, halves unfolded."""
+    sys.path.insert(0, str(ROOT / "tests/study/paper"))
+    import paper
+    studies = (ROOT / "tests/study/studies.mk").read_text()
+    assert re.search(r"RUN_dress = [^$]*(.*\\\n)*?.*--fold --pdf \$\(OUT\)/out/tshirt.pdf", studies)
+    pdf = tmp_path / "halves.pdf"
+    subprocess.run([BIN / "muslin", "print", "--design", design, "--tape", ROOT / "examples/tapes/w40.tape", "--fold",
+                    "--pdf", pdf], check=True, capture_output=True)
+    assert len(paper.pdf_pages(pdf)) <= most
+    garment = {"tshirt": "top", "pencil_skirt_knee": "skirt"}[design]
+    _, _, worst, count = paper.check_design((str(BIN / "muslin"), design, garment, "W40"))
+    assert worst["pages"][0] == 0.0 and count["halves"] >= 1, worst["pages"]
+    # [mm] from the pattern's edges to the sew lines of whole pieces, and from whole pieces to unfolded halves
+    assert worst["place"][0] + worst["unfold"][0] <= 0.1, worst

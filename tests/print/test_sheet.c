@@ -178,11 +178,11 @@ START_TEST(pieces_lie_apart_inside_the_sheet)
             ck_assert_double_gt(a[1], 0.0);
             ck_assert_double_lt(a[2], sheet->extent[0]);
             ck_assert_double_lt(a[3], sheet->extent[1]);
-            /* boxes may overlap, cut lines not: each point of one is 6 mm from the other */
+            /* boxes may overlap, cut lines not: each point of one is 4 mm from the other */
             for (int32_t k = 0; k < sheet->npiece; k++) {
                 for (int32_t m = 0; m < sheet->pieces[i].cut.n && k != i; m++) {
                     const double *p = sheet->pieces[i].cut.xy + 2 * m;
-                    const double near[4] = {p[0] - 0.0042, p[1] - 0.0042, p[0] + 0.0042, p[1] + 0.0042};
+                    const double near[4] = {p[0] - 0.0028, p[1] - 0.0028, p[0] + 0.0028, p[1] + 0.0028};
                     ck_assert(!mus__piece_meets(&sheet->pieces[k], NULL, near, NULL));
                 }
             }

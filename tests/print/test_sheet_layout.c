@@ -187,6 +187,32 @@ START_TEST(frame_on_frame_two_half_diamonds_make_a_whole)
 END_TEST
 
 
+START_TEST(title_and_squares_lie_in_a_piece_that_leaves_no_other_place)
+{
+    /* a cloth that fills nine pages but for a border of 5 mm; that in its middle shows no line */
+    const double xy[] = {0, 0, 0.54, 0, 0.54, 0.80, 0, 0.80};
+    mus_pattern *cloth = sample_polygon(context, 4, xy);
+    make(cloth);
+    ck_assert_int_eq(sheet->ntile, 8);
+    ck_assert(!sheet->cover);
+    const double *at = sheet->squares;
+    const double boxes[2][4] = {{at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES},
+                                {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
+    for (int32_t k = 0; k < 2; k++) {
+        ck_assert(mus__piece_holds(&sheet->pieces[0], boxes[k]));
+        for (int32_t i = 0; i < sheet->drawing.npath; i++) {
+            const mus__path *path = &sheet->drawing.paths[i];
+            if (path->piece != 0 || path->layer < MUS__LAYER_GRAIN) continue;
+            ck_assert(path->box[0] > boxes[k][2] || path->box[2] < boxes[k][0] || path->box[1] > boxes[k][3] ||
+                      path->box[3] < boxes[k][1]);
+        }
+    }
+    assert_all_shown();
+    mus_pattern_destroy(cloth);
+}
+END_TEST
+
+
 START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
 {
     def.fold = 1;
@@ -376,6 +402,7 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, one_page_has_no_cover_and_its_own_squares);
     tcase_add_test(test, long_rolls_stay_below_the_limit_of_pdf);
     tcase_add_test(test, papers_are_whole_points);
+    tcase_add_test(test, title_and_squares_lie_in_a_piece_that_leaves_no_other_place);
     tcase_add_test(test, tiles_are_named_like_a_chess_board);
     suite_add_tcase(suite, test);
     return suite;

@@ -173,12 +173,15 @@ static void assert_same_lines(const mus_sheet *one, int32_t piece, const mus_she
             const bool sew = q.piece == like && q.kind == MUS_LINE_SEW && q.edge == p.edge;
             if (!sew || q.point_count != p.point_count) continue;
             double worst = 0.0;
-            const bool round = a.turn[0] * a.turn[3] * b.turn[0] * b.turn[3] < 0.0;
+            const bool round =
+                (a.turn[0] * a.turn[3] - a.turn[1] * a.turn[2]) * (b.turn[0] * b.turn[3] - b.turn[1] * b.turn[2]) < 0.0;
             for (int32_t k = 0; k < p.point_count; k++) {
-                /* to the panel of one, and from there to the other sheet; the turns are diagonal */
+                /* to the panel of one, and from there to the other sheet; the inverse of a turn is its transpose */
                 const double *x = p.points + 2 * k, *y = q.points + 2 * (round ? q.point_count - 1 - k : k);
+                const double at[2] = {x[0] - a.shift[0], x[1] - a.shift[1]};
+                const double u = a.turn[0] * at[0] + a.turn[2] * at[1], v = a.turn[1] * at[0] + a.turn[3] * at[1];
                 for (int32_t d = 0; d < 2; d++)
-                    worst = fmax(worst, fabs((x[d] - a.shift[d]) * a.turn[3 * d] * b.turn[3 * d] + b.shift[d] - y[d]));
+                    worst = fmax(worst, fabs(b.turn[2 * d] * u + b.turn[2 * d + 1] * v + b.shift[d] - y[d]));
             }
             best = fmin(best, worst);
         }

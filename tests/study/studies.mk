@@ -9,7 +9,7 @@ report page girths trade drapes fabric: APT_GROUP = report
 check-ports elementary: APT_GROUP = ports
 gallery: APT_GROUP = report test
 RUN_dress = $(BIN)/muslin dress --design tshirt --tape $(TAPE) --png $(OUT)/out/tshirt.png --glb $(OUT)/out/tshirt.glb \
-  --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --pdf $(OUT)/out/tshirt.pdf \
+  --report $(OUT)/out/report.json && $(BIN)/muslin print --design tshirt --tape $(TAPE) --fold --pdf $(OUT)/out/tshirt.pdf \
   --instructions $(OUT)/out/tshirt.txt && echo "look at $(OUT)/out: tshirt.png, tshirt.pdf, tshirt.txt, tshirt.glb, report.json"
 RUN_check = MUSLIN_DATA='$(MUSLIN_DATA)' CC='$(CC)' sh tests/guard/total.sh '$(OUT)' '$(PYTHON)'
 RUN_same = $(BIN)/same . '$(MUSLIN_DATA)' $(SAME)

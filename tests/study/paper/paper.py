@@ -18,7 +18,8 @@ the file, the content stream of the PDF) and shares nothing with the library. It
 
     python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2] [--table]
 
-With --table the pieces alone are asked, of the pattern files: a minute for all designs.
+With --table the pieces alone are asked, of the pattern files: a minute for all designs. With --pages the pages of A4 are
+counted, of whole pieces and of halves, of each family of designs in the first of its sizes: some minutes.
 
 Limits are beside the checks. Exit 1 when one is passed. Needs no package.
 """
@@ -117,7 +118,8 @@ def strokes(page):
             numbers.append(float(token))
             continue
         if first == b"[":
-            numbers.append(tuple(float(x) for x in token[1:-1].split()))
+            # dashes; an array with strings is text
+            numbers.append(() if b"<" in token or b"(" in token else tuple(float(x) for x in token[1:-1].split()))
             continue
         n = [x for x in numbers]
         if token == b"q":
@@ -213,6 +215,11 @@ def unfolded(whole, points):
     return max(worst, *(to_line((axis + abs(p[0] - axis), p[1]), line, closed=False) for p in whole))
 
 
+def quarter(points):
+    """Points turned by a quarter: a sheet of halves has pieces that lie."""
+    return [(-p[1], p[0]) for p in points]
+
+
 def check_halves(pieces, half, note):
     """A half and its mirror image make up the whole: worst distance of the whole's cut line."""
     if len(half) != len(pieces):
@@ -222,15 +229,17 @@ def check_halves(pieces, half, note):
         return [max(p[d] for p in points) - min(p[d] for p in points) for d in (0, 1)]
 
     def unlike(piece, other):
-        (width, height), (w, h) = extent(piece["cut"][0]), extent(other[1])
-        return abs(height - h) + abs(width - w * (1 if other[0] else 2))
+        width, height = extent(piece["cut"][0])
+        return min(abs(height - h) + abs(width - w * (1 if other[0] else 2))
+                   for w, h in (extent(points) for points in (other[1], quarter(other[1]))))
     rest = list(half)
     for piece in pieces:
         whole = piece["cut"][0]
         closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
         if closed:
             continue
-        note("unfold", min(unfolded(whole, [(fx * p[0], fy * p[1]) for p in points]) for fx in (1, -1) for fy in (1, -1)))
+        note("unfold", min(unfolded(whole, [(fx * p[0], fy * p[1]) for p in line])
+                           for line in (points, quarter(points)) for fx in (1, -1) for fy in (1, -1)))
 
 
 def check_nest(command, design, sizes, folder, note):
@@ -261,11 +270,11 @@ def check_nest(command, design, sizes, folder, note):
 
 
 def unlike(points, other):
-    """Worst distance of two lines that may be moved and mirrored."""
+    """Worst distance of two lines that may be moved, mirrored and turned by a quarter."""
     best = 1e9
-    for fx in (1, -1):
-        for fy in (1, -1):
-            turned = [(fx * p[0], fy * p[1]) for p in points]
+    for way in (points, quarter(points)):
+        for fx, fy in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            turned = [(fx * p[0], fy * p[1]) for p in way]
             move = [min(p[d] for p in other) - min(p[d] for p in turned) for d in (0, 1)]
             line = [(p[0] + move[0], p[1] + move[1]) for p in turned]
             if max(abs(max(p[d] for p in other) - max(p[d] for p in line)) for d in (0, 1)) < 1.0:
@@ -831,9 +840,8 @@ def check_design(job):
         pattern = json.loads(pathlib.Path(file).read_text())
         tiles = [(t["page"], 1000.0 * t["x_m"], 1000.0 * t["y_m"], t["height_m"]) for t in json.loads(done.stdout)["tiles"]]
         pieces = paper_pieces(pdf, tiles)
-        fold = printed(command, file, folder, "roll", "--fold")
-        half = halves(*fold[:2])
-        lone = lone_pages(*printed(command, file, folder, "a4", "--fold"))
+        fold = printed(command, file, folder, "a4", "--fold")
+        half, lone = halves(*fold[:2]), lone_pages(*fold)
         if size in NESTS:
             check_nest(command, design, NESTS[size], folder,
                        lambda check, value, where="": worst.__setitem__(check, max((value, where), worst.get(check, (-1.0, "")))))
@@ -850,7 +858,7 @@ def check_design(job):
                 worst[check] = (value, f"{panel['name']} {where}".strip())
         if k < len(pieces):
             check_piece(part, panel, pieces[k], seams_of(part), note, lengths if part is pattern else {})
-    count["pieces"] = len(pieces)
+    count["pieces"], count["halves"] = len(pieces), sum(not closed for closed, _ in half)
     count["needs"] = needs(axes_of(command, design, garment), pattern)
     if len(panels) != len(pieces):
         worst["place"] = (99.0, f"{len(pieces)} pieces for {len(panels)} panels")
@@ -864,6 +872,31 @@ def check_design(job):
     return design, size, worst, count
 
 
+def pages_of(job):
+    """Pages of A4 of a design: of whole pieces, and with halves on the fold."""
+    command, design, _, size = job
+    count = []
+    with tempfile.TemporaryDirectory() as folder:
+        for options in ([], ["--fold"]):
+            done = subprocess.run([command, "print", "--design", design, "--size", size, "--pdf", f"{folder}/a4.pdf", "--json",
+                                   *options], capture_output=True, text=True, check=True)
+            count.append(json.loads(done.stdout)["pages"])
+    return count
+
+
+def print_pages(jobs, rows, pool):
+    """A line for each family, and one for all."""
+    family, told, first = {row["name"]: row["family"] for row in rows}, {}, {}
+    for job in jobs:
+        first.setdefault(job[1], job)
+    for job, count in zip(first.values(), pool.map(pages_of, first.values(), chunksize=4)):
+        for name in (family[job[1]], "all"):
+            told[name] = [a + b for a, b in zip(told.get(name, [0, 0, 0]), [1, *count])]
+    print(f"{'family':24}{'designs':>8}{'whole':>8}{'on fold':>8}")
+    for name, numbers in sorted(told.items(), key=lambda row: (row[0] == "all", row[0])):
+        print(f"{name:24}" + "".join(f"{n:8}" for n in numbers))
+
+
 def main():
     ask = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     ask.add_argument("--command", required=True)
@@ -871,6 +904,7 @@ def main():
     ask.add_argument("--every", type=int, default=1, help="every n-th design")
     ask.add_argument("--designs", default="", help="these alone")
     ask.add_argument("--table", action="store_true", help="the table of needed pieces alone")
+    ask.add_argument("--pages", action="store_true", help="the number of pages alone, by family")
     ask.add_argument("--jobs", type=int, default=1)
     args = ask.parse_args()
     rows = json.loads(subprocess.run([args.command, "designs", "--json"], capture_output=True, check=True).stdout)
@@ -880,6 +914,8 @@ def main():
             if group[size[0]] in row.get("groups", ["women"])]
     worst, over, darts, pieces, table = {}, 0, 0, 0, {}
     with concurrent.futures.ProcessPoolExecutor(args.jobs) as pool:
+        if args.pages:
+            return print_pages(jobs, rows, pool)
         for design, size, found, count in pool.map(table_of if args.table else check_design, jobs, chunksize=4):
             darts += count["darts"]
             for row, least, own in count["needs"]:

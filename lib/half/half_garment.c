@@ -51,6 +51,16 @@ void mus__half_cut(mus__half *half, int32_t panel, int32_t main, int32_t materia
 }
 
 
+void mus__half_band_grain(mus__half *half, int32_t panel)
+{
+    if (half->board.status != MUS_OK || panel == MUS_NONE) return;
+    mus__panel_attributes *attr = &half->board.panel[panel].attr;
+    const bool gives = half->style.option[MUS__AXIS_CLOTH] == MUS__CLOTH_KNIT || attr->cut[MUS_MATERIAL_RIB] > 0;
+    attr->grain[0] = gives ? 0.0 : 1.0;
+    attr->grain[1] = gives ? 1.0 : 0.0;
+}
+
+
 int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, const char *label, double allowance,
                         const mus__chain *chain)
 {

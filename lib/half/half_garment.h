@@ -73,6 +73,9 @@ void mus__half_darts(mus__half *half, int32_t panel);
 /* Sets how many pieces of a panel of the half are cut: of the main cloth, of interfacing, lining or rib (material
  * MUS_MATERIAL_*). Doubling the half doubles both where the panel gets a mirror image. */
 void mus__half_cut(mus__half *half, int32_t panel, int32_t main, int32_t material, int32_t count);
+/* sets the grain of a band that is drawn along x, once it is known what it is cut of: along the band, which then does
+ * not give; across it in a knit or a rib, which stretches most across its grain, round the body */
+void mus__half_band_grain(mus__half *half, int32_t panel);
 
 /* Adds a half-edge at the end of the last one of the panel; returns it. label NULL: none. */
 int32_t mus__chain_side(mus__board *board, int32_t panel, const char *name, const char *label, double allowance,

@@ -64,11 +64,9 @@ static int32_t collar_band(mus__half *half, const char *name, const mus__chain *
     if (front) sides[3] = mus__chain_side(board, panel, "cf", "centre", MUS__COLLAR_SEAM, &centre);
     else sides[1] = mus__chain_side(board, panel, "end", "neck", MUS__COLLAR_SEAM, &end);
     mus__board_panel_close(board, panel);
-    if (board->status == MUS_OK) {
-        board->side[sides[3]].centre = MUS__CENTRE_FOLD;
-        board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
-    }
+    if (board->status == MUS_OK) board->side[sides[3]].centre = MUS__CENTRE_FOLD;
     mus__half_cut(half, panel, 2, MUS_MATERIAL_INTERFACING, 1);
+    mus__half_band_grain(half, panel);
     return panel;
 }
 

@@ -89,7 +89,7 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
         return;
     }
 
-    /* the band, front at x < 0, its grain along the length */
+    /* the band, front at x < 0 */
     const double x = 0.5 * length;
     const double corner[4][2] = {{-x, -depth}, {x, -depth}, {x, 0.0}, {-x, 0.0}};
     static const char *const names[4] = {"edge", "endB", "top", "endF"};
@@ -102,10 +102,10 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     }
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
-    board->panel[panel].attr.grain[0] = 1.0, board->panel[panel].attr.grain[1] = 0.0;
     board->side[side[0]].attr.allowance = depth + MUS__SEAM_ALLOWANCE;
     const bool rib = mus__style_is(half, MUS__AXIS_CUFF, MUS__CUFF_RIB);
     mus__half_cut(half, panel, rib ? 0 : 1, rib ? MUS_MATERIAL_RIB : MUS_MATERIAL_INTERFACING, 1);
+    mus__half_band_grain(half, panel);
     const int32_t ends = mus__board_seam_add(board, side[3], side[1], MUS_SEAM_REVERSED, 0.0);
     if (!rib && cuff_long(half)) {
         cuff_slit(half, n, sides);

@@ -85,6 +85,7 @@ void mus__neck_band_attach(mus__half *half)
     const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_FRONT);
     board->side[top].attr.allowance = high + MUS__TOP_NECK_SEAM; /* the band is turned in along its upper edge */
     mus__half_cut(half, panel, 1, MUS_MATERIAL_INTERFACING, 1);
+    mus__half_band_grain(half, panel);
     board->side[cb].centre = opens ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM;
     board->side[cf].centre = opens ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
     board->side[opens ? cf : cb].attr.allowance = MUS__TOP_NECK_SEAM;

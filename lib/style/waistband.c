@@ -13,6 +13,9 @@
  * waist that is gathered, or that rises above the waist line, gets a narrow band in place of a facing. Formulas: man
  * page mus_design(3).
  *
+ * The grain runs along a straight band, which keeps its length. A shaped band is cut on the fold at the centre, with
+ * the grain along the fold.
+ *
  * A band is cut twice, an outer and an inner layer, and once of interfacing. The casing of an elastic is cut once and
  * turned in along its upper edge, whose allowance is the inner layer.
  */
@@ -27,6 +30,7 @@
 #define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
 #define BAND_ELASTIC_RATIO 0.9
 #define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
+#define BAND_STRAIGHT 1e-4          /* angle of a shaped band that counts as a straight one; below what is drawn */
 
 typedef struct band_plan {
     double height;
@@ -81,7 +85,7 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front, int
     const double angle = (l1 - l0) / h;
     mus__chain low, high;
     double p[6][2] = {{0.0, 0.0}, {0.5 * l0, 0.0}, {l0, 0.0}, {l1, h}, {0.5 * l1, h}, {0.0, h}};
-    if (fabs(angle) > 1e-4) {
+    if (fabs(angle) > BAND_STRAIGHT) {
         /* centre of the cone at (0, c): below when the band widens upwards */
         const double c = -l0 / angle;
         for (int i = 0; i < 6; i++) {
@@ -107,6 +111,7 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front, int
     mus__outline_line(&outline, parts ? "open" : "centre", "centre", MUS__SEAM_ALLOWANCE, p[5], p[0]);
     const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
     mus__half_cut(half, panel, elastic ? 1 : 2, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
+    if (fabs(angle) <= BAND_STRAIGHT) mus__half_band_grain(half, panel);
     mus__half_centre(half, panel, parts ? "open" : "centre", parts ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));

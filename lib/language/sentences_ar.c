@@ -6,6 +6,7 @@
 static const mus__language_row sentences_ar[] = {
     {"buttons.many", "عدد الأزرار: {0}"},
     {"buttons.one", "زر واحد ({0})"},
+    {"cloth.wide", "بعرض {0}: {1}"},
     {"count.main", "{0}"},
     {"count.other", "{0} {1}"},
     {"cut.fold", "القص على ثنية القماش: {0}"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_ar[] = {
     {"facts.one", "عدد الصفحات: {0}، {1} × {2}، المقياس 1:1"},
     {"facts.person", "لأجل {0}.  {1}"},
     {"head.asked", "المطلوب"},
+    {"head.cloth", "القماش"},
     {"head.error", "الفرق"},
     {"head.made", "الناتج"},
     {"head.measures", "القياس"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_ar[] = {
     {"material.rib", "ريب"},
     {"measure.derived", "مستنتج"},
     {"measure.volume", "الحجم {0} لتر، {1} مث"},
+    {"metres", "{0}.{1} م"},
     {"notches.many", "عدد العلامات: {0}"},
     {"notches.one", "علامة واحدة ({0})"},
     {"notion.elastic", "مطاط، {0} × {1}"},

@@ -6,6 +6,7 @@
 static const mus__language_row sentences_de[] = {
     {"buttons.many", "{0} Knöpfe"},
     {"buttons.one", "{0} Knopf"},
+    {"cloth.wide", "{0} breit: {1}"},
     {"count.main", "{0}x"},
     {"count.other", "{0}x {1}"},
     {"cut.fold", "{0} im Stoffbruch zuschneiden"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_de[] = {
     {"facts.one", "{0} Seite, {1} x {2}, Maßstab 1:1"},
     {"facts.person", "Für {0}.  {1}"},
     {"head.asked", "Soll"},
+    {"head.cloth", "Stoff"},
     {"head.error", "Abweichung"},
     {"head.made", "Ist"},
     {"head.measures", "Maß"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_de[] = {
     {"material.rib", "Bündchenstoff"},
     {"measure.derived", "abgeleitet"},
     {"measure.volume", "Volumen {0} l, {1} ms"},
+    {"metres", "{0},{1} m"},
     {"notches.many", "{0} Passzeichen"},
     {"notches.one", "{0} Passzeichen"},
     {"notion.elastic", "Gummiband, {0} x {1}"},

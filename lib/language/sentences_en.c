@@ -6,6 +6,7 @@
 static const mus__language_row sentences_en[] = {
     {"buttons.many", "{0} buttons"},
     {"buttons.one", "{0} button"},
+    {"cloth.wide", "{0} wide: {1}"},
     {"count.main", "{0}"},
     {"count.other", "{0} {1}"},
     {"cut.fold", "Cut {0} on fold"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_en[] = {
     {"facts.one", "{0} page, {1} x {2}, scale 1:1"},
     {"facts.person", "For {0}.  {1}"},
     {"head.asked", "asked"},
+    {"head.cloth", "Cloth"},
     {"head.error", "error"},
     {"head.made", "made"},
     {"head.measures", "measure"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_en[] = {
     {"material.rib", "rib"},
     {"measure.derived", "derived"},
     {"measure.volume", "volume {0} l, {1} ms"},
+    {"metres", "{0}.{1} m"},
     {"notches.many", "{0} notches"},
     {"notches.one", "{0} notch"},
     {"notion.elastic", "elastic, {0} x {1}"},

@@ -6,6 +6,7 @@
 static const mus__language_row sentences_es[] = {
     {"buttons.many", "{0} botones"},
     {"buttons.one", "{0} botón"},
+    {"cloth.wide", "{0} de ancho: {1}"},
     {"count.main", "{0} ×"},
     {"count.other", "{0} × {1}"},
     {"cut.fold", "Cortar {0} al doblez"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_es[] = {
     {"facts.one", "{0} página, {1} x {2}, escala 1:1"},
     {"facts.person", "Para {0}.  {1}"},
     {"head.asked", "pedido"},
+    {"head.cloth", "Tela"},
     {"head.error", "error"},
     {"head.made", "obtenido"},
     {"head.measures", "medida"},
@@ -77,6 +79,7 @@ static const mus__language_row sentences_es[] = {
     {"material.rib", "canalé"},
     {"measure.derived", "deducida"},
     {"measure.volume", "volumen {0} l, {1} ms"},
+    {"metres", "{0},{1} m"},
     {"notches.many", "{0} piquetes"},
     {"notches.one", "{0} piquete"},
     {"notion.elastic", "elástico, {0} × {1}"},

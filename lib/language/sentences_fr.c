@@ -6,6 +6,7 @@
 static const mus__language_row sentences_fr[] = {
     {"buttons.many", "{0} boutons"},
     {"buttons.one", "{0} bouton"},
+    {"cloth.wide", "{0} de large : {1}"},
     {"count.main", "{0} fois"},
     {"count.other", "{0} fois en {1}"},
     {"cut.fold", "Couper {0} au pli"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_fr[] = {
     {"facts.one", "{0} page, {1} x {2}, échelle 1:1"},
     {"facts.person", "Pour {0}.  {1}"},
     {"head.asked", "demandé"},
+    {"head.cloth", "Tissu"},
     {"head.error", "écart"},
     {"head.made", "obtenu"},
     {"head.measures", "mesure"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_fr[] = {
     {"material.rib", "bord-côte"},
     {"measure.derived", "déduit"},
     {"measure.volume", "volume {0} l, {1} ms"},
+    {"metres", "{0},{1} m"},
     {"notches.many", "{0} crans"},
     {"notches.one", "{0} cran"},
     {"notion.elastic", "élastique, {0} × {1}"},

@@ -6,6 +6,7 @@
 static const mus__language_row sentences_ja[] = {
     {"buttons.many", "ボタン {0}個"},
     {"buttons.one", "ボタン {0}個"},
+    {"cloth.wide", "{0}幅：{1}"},
     {"count.main", "{0}枚"},
     {"count.other", "{1} {0}枚"},
     {"cut.fold", "わで{0}裁つ"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_ja[] = {
     {"facts.one", "全{0}ページ、{1} x {2}、縮尺 1:1"},
     {"facts.person", "{0} 様　{1}"},
     {"head.asked", "指定"},
+    {"head.cloth", "布"},
     {"head.error", "誤差"},
     {"head.made", "実測"},
     {"head.measures", "寸法"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_ja[] = {
     {"material.rib", "リブ"},
     {"measure.derived", "推定"},
     {"measure.volume", "体積 {0} l、{1} ms"},
+    {"metres", "{0}.{1} m"},
     {"notches.many", "合印 {0}か所"},
     {"notches.one", "合印 {0}か所"},
     {"notion.elastic", "ゴムテープ {0}本 x {1}"},

@@ -6,6 +6,7 @@
 static const mus__language_row sentences_pt[] = {
     {"buttons.many", "{0} botões"},
     {"buttons.one", "{0} botão"},
+    {"cloth.wide", "{0} de largura: {1}"},
     {"count.main", "{0} ×"},
     {"count.other", "{0} × {1}"},
     {"cut.fold", "Cortar {0} na dobra"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_pt[] = {
     {"facts.one", "{0} página, {1} x {2}, escala 1:1"},
     {"facts.person", "Para {0}.  {1}"},
     {"head.asked", "pedido"},
+    {"head.cloth", "Tecido"},
     {"head.error", "erro"},
     {"head.made", "obtido"},
     {"head.measures", "medida"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_pt[] = {
     {"material.rib", "ribana"},
     {"measure.derived", "deduzida"},
     {"measure.volume", "volume {0} l, {1} ms"},
+    {"metres", "{0},{1} m"},
     {"notches.many", "{0} piques"},
     {"notches.one", "{0} pique"},
     {"notion.elastic", "elástico, {0} × {1}"},

@@ -6,6 +6,7 @@
 static const mus__language_row sentences_th[] = {
     {"buttons.many", "กระดุม {0} เม็ด"},
     {"buttons.one", "กระดุม {0} เม็ด"},
+    {"cloth.wide", "หน้ากว้าง {0}: {1}"},
     {"count.main", "{0} ชิ้น"},
     {"count.other", "{1} {0} ชิ้น"},
     {"cut.fold", "ตัดสันทบ {0}"},
@@ -22,6 +23,7 @@ static const mus__language_row sentences_th[] = {
     {"facts.one", "{0} หน้า {1} x {2} มาตราส่วน 1:1"},
     {"facts.person", "สำหรับ {0}  {1}"},
     {"head.asked", "ที่ขอ"},
+    {"head.cloth", "ผ้า"},
     {"head.error", "ผลต่าง"},
     {"head.made", "ที่ได้"},
     {"head.measures", "ขนาดตัว"},
@@ -76,6 +78,7 @@ static const mus__language_row sentences_th[] = {
     {"material.rib", "ผ้าริบ"},
     {"measure.derived", "คำนวณ"},
     {"measure.volume", "ปริมาตร {0} ลิตร, {1} มิลลิวินาที"},
+    {"metres", "{0}.{1} ม."},
     {"notches.many", "รอยบาก {0} จุด"},
     {"notches.one", "รอยบาก {0} จุด"},
     {"notion.elastic", "ยางยืด {0} เส้น x {1}"},

@@ -2,8 +2,8 @@
  * sewing.h: how a pattern is sewn: its seams in words, their order, and the sheet of instructions.
  *
  * Flow of the data: pattern -> seams with kinds and words, sorted by them (sewing_seams.c) -> lines and steps
- * (sewing_order.c) -> text (sewing_text.c, sewing_finish.c) -> file (lib/file). Sorted by words, nothing here depends
- * on the order in which the pattern has its panels, edges and seams.
+ * (sewing_order.c) -> text (sewing_text.c, sewing_cloth.c, sewing_finish.c) -> file (lib/file). Sorted by words,
+ * nothing here depends on the order in which the pattern has its panels, edges and seams.
  */
 #ifndef MUS_SEWING_H
 #define MUS_SEWING_H

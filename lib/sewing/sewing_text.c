@@ -354,10 +354,11 @@ static mus_status instructions_tell(mus__instructions *job, const char *title)
     mus__finish_find(job);
     mus__sink_print(&job->sink, "%s\n", title != NULL ? title : mus_pattern_name(job->pattern));
     tell_pieces(job);
+    mus_status status = mus__tell_cloth(job);
     tell_notions(job);
     tell_preparation(job);
     tell_steps(job, seams, false);
-    const mus_status status = mus__tell_finish(job);
+    if (status == MUS_OK) status = mus__tell_finish(job);
     tell_steps(job, seams, true);
     mus__print_free(context, seams);
     return status;

@@ -56,6 +56,8 @@ double mus__tell_longest(const mus_pattern *pattern, int32_t panel);
 /* has a panel a mark of that name? */
 bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *mark);
 
+/* write the metres of cloth of each material (sewing_cloth.c) */
+mus_status mus__tell_cloth(mus__instructions *job);
 /* set what the panels finish that are cut and not draped */
 void mus__finish_find(mus__instructions *job);
 /* write the steps of panels that are cut and not draped, and that no edge and no mark asks for: those that come before

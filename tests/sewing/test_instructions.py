@@ -115,3 +115,23 @@ def test_what_is_asked_wrongly_has_a_sentence(tmp_path):
                            tmp_path / "no" / "t.txt"], capture_output=True, text=True)
     assert done.returncode != 0 and "t.txt" in done.stderr
     assert run("print", "--design", "tshirt", "--size", "W40", "--instructions", "-").startswith("T-shirt\n")
+
+
+@pytest.mark.parametrize("name", ["tshirt", "pencil_skirt_knee", "coat"])
+def test_the_metres_of_cloth_are_those_of_a_layout(name, tmp_path):
+    """Each material has a line; the metres of a width are those of a thorough search on folded cloth, within 12 % and
+    the 5 cm that they are rounded up to, and never too few."""
+    text = run("print", "--design", name, "--size", "W40", "--instructions", "-")
+    lines = re.search(r"^Cloth\n((?:- .*\n)+)", text, re.M)[1].splitlines()
+    told = {line[2:line.index(",")]: dict(re.findall(r"(\d\.\d\d) m wide: (\d+\.\d\d) m", line)) for line in lines}
+    names = {"main": "main cloth"}
+    laid = {}
+    for width in ("1.14", "1.40"):
+        done = subprocess.run([MUSLIN, "layout", "--design", name, "--size", "W40", "--fold", "--json", "--width",
+                               str(round(1000 * float(width)))], capture_output=True, text=True)
+        for row in json.loads(done.stdout)["materials"] if done.returncode == 0 else []:
+            laid[names.get(row["material"], row["material"]), width] = row["length_m"]
+    assert {material for material, _ in laid} == set(told) and len(laid) >= len(told)
+    for (material, width), length in laid.items():
+        metres = float(told[material][width])
+        assert length - 1e-9 <= metres <= 1.12 * length + 0.05, (material, width, length, metres)

@@ -143,6 +143,7 @@ static mus_status cloth_build(mus__mesh *mesh)
     if (status == MUS_OK) status = mus__mesh_seams(mesh);
     if (status == MUS_OK) status = mus__mesh_calibrate(mesh);
     if (status == MUS_OK && mesh->lying_share < 1.0) cloth_soften_lying(cloth, mesh->lying_share);
+    if (status == MUS_OK) status = mus__mesh_facings(mesh);
     if (status == MUS_OK) status = mus__mesh_limit(mesh);
     if (status == MUS_OK) status = mus__mesh_turns(mesh);
     if (status == MUS_OK) status = mus__mesh_held(mesh);

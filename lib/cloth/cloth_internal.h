@@ -42,10 +42,10 @@ typedef struct mus__spring {
 } mus__spring;
 
 typedef struct mus__hinge { /* E = 1/2 k |sum coef_i x_i|^2, sum coef = 0: edge node[0..1], wings node[2..3]; a bend of
-                             bare nodes has its middle node at both ends of the edge, coefficient -1 each */
+                             bare nodes or a facing has its middle node at both ends of the edge, coefficient -1 each */
     int32_t node[4];
     double coef[4];
-    double k, area; /* area [m2]: half the edge times both triangles' heights; 0 of bare nodes */
+    double k, area; /* area [m2]: half the edge times both triangles' heights; of a bend, its side's square or 0 */
 } mus__hinge;
 
 typedef struct mus__hold { /* attachment of a node to a level (MUS_HOLD_*) of the body */

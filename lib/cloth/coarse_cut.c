@@ -40,9 +40,7 @@ bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double
 
 double mus__cloth_stiffen(double spacing, mus_fabric *fabric)
 {
-    /* bending length: the third root of rigidity over weight (Peirce 1930) */
-    const double length = STIFF_CELLS * spacing, *bend = fabric->bend;
-    const double asked = MUS__GRAVITY * fabric->weight * length * length * length;
+    const double asked = mus__rigidity_of_length(fabric->weight, STIFF_CELLS * spacing), *bend = fabric->bend;
     const double softest = fmin(fmin(bend[0], bend[1]), bend[2]);
     if (softest >= asked) return 1.0;
     for (int k = 0; k < 3; k++) fabric->bend[k] += asked - softest;

@@ -130,6 +130,12 @@ double mus__fabric_stretch(const mus_fabric *fabric, double x, double y)
 }
 
 
+double mus__rigidity_of_length(double weight, double length)
+{
+    return MUS__GRAVITY * weight * length * length * length;
+}
+
+
 /* the quartic through warp, weft and bias; what the lattice's stencils give for the same direction */
 double mus__fabric_bend(const mus_fabric *fabric, double x, double y)
 {

@@ -34,6 +34,8 @@ typedef struct mus__fabric_lattice {
 void mus__fabric_on_cell(const mus_fabric *fabric, const double *cell, mus__fabric_lattice *out);
 /* one warning for each value that such a lattice cannot have and clamps */
 void mus__fabric_note(mus_context *context, const mus_fabric *fabric, const double *cell);
+/* [N m] of a bending length [m], which is the third root of rigidity over weight (Peirce 1930); weight [kg/m2] */
+double mus__rigidity_of_length(double weight, double length);
 /* turn the constants of a cell to the paper's bending, which stands for the fabric's at `curvature` */
 void mus__fabric_on_paper(const mus_fabric *fabric, const double *cell, double curvature, mus__fabric_lattice *out);
 /* write what the cells of a cloth couple, and their sides, to its members couple, couple_share and cell_side */

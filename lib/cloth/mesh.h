@@ -68,6 +68,8 @@ bool mus__mesh_hinge(const mus__mesh *mesh, const int32_t *node, double length, 
 mus_status mus__mesh_calibrate(mus__mesh *mesh);
 /* calibrate_bending.c: (sum coef_i z_i)^2 on cylinders of curvature 1 along weft, warp, both bias (4); axis is warp */
 void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, const double *xy, double *out);
+/* edge_facing.c: the facings of free edges that are attached; after mus__mesh_calibrate(), before mus__mesh_limit() */
+mus_status mus__mesh_facings(mus__mesh *mesh);
 /* border_springs.c: soften springs and hinges that would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
 /* cloth.c: the defaults, then the caller's options, with its fabric in *fabric; all are checked but the spacing */

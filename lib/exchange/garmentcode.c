@@ -27,14 +27,10 @@
 #define GC_COUNT_MAX 100000 /* most vertices of a panel, and stitches; chosen: far above any garment */
 #define GC_CHORD_SLACK 1e-6 /* a chord may exceed the diameter by this ratio; chosen: a half circle in few digits */
 
-/* [m] from the shoulder over the bust to the waist of a short adult; chosen: the form's three bodies have 0.40..0.47 */
-#define GC_SHOULDER_WAIST 0.38
-
 /* data of a panel that stitches need */
 struct gc_panel {
     int32_t first_edge;
     int32_t edge_count;
-    double height; /* extent along the panel's y [m] */
 };
 
 struct gc_reader {
@@ -225,7 +221,6 @@ static mus_status gc_loop(struct gc_reader *reader, const mus__json_at *at, int3
     mus_status status = mus__json_array(&vertices, 1, GC_COUNT_MAX, &nvertex);
     if (status == MUS_OK) status = mus__json_array(&edges, 1, GC_COUNT_MAX, &nedge);
     int32_t first = mus_pattern_point_count(reader->pattern);
-    double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < nvertex && status == MUS_OK; i++) {
         double xy[2];
         mus__json_at vertex = mus__json_element(&vertices, i);
@@ -233,10 +228,8 @@ static mus_status gc_loop(struct gc_reader *reader, const mus__json_at *at, int3
         if (status != MUS_OK) break;
         status = mus_pattern_add_point(reader->pattern, panel, xy[0] * reader->metre, xy[1] * reader->metre, NULL);
         if (status != MUS_OK) status = mus__json_wrap(&vertex, status);
-        low = fmin(low, xy[1] * reader->metre), high = fmax(high, xy[1] * reader->metre);
     }
     if (status != MUS_OK) return status;
-    reader->panels[panel].height = high - low;
 
     mus_context *context = at->source->context;
     int32_t *words = mus_context_alloc(context, NULL, 2 * nedge * sizeof *words);
@@ -344,25 +337,6 @@ static mus_status gc_side(const struct gc_reader *reader, const mus__json_at *at
 }
 
 
-/*
- * Attach the edge of a lower part that is sewn to a top.
- *
- * The top hangs from the shoulders and may reach below the waist: a tunic has a band at its hem. The edge is attached
- * below the waist by the length that the panel above has beyond GC_SHOULDER_WAIST, so that sewing does not pull the top
- * off the shoulders. It is not attached where the panel does not reach from the shoulder to the waist: a strapless top
- * has an attached edge of its own.
- */
-static mus_status gc_hang(const struct gc_reader *reader, int32_t edge, int32_t above)
-{
-    int32_t level = MUS_HOLD_NONE;
-    mus_pattern_edge_hold(reader->pattern, edge, &level, NULL);
-    if (level == MUS_HOLD_NONE) return MUS_OK;
-    const double below = reader->panels[mus_pattern_edge_panel(reader->pattern, above)].height - GC_SHOULDER_WAIST;
-    if (level != MUS_HOLD_WAIST || !(below > 0.0 && below <= 1.0)) level = MUS_HOLD_NONE;
-    return mus_pattern_set_edge_hold(reader->pattern, edge, level, level == MUS_HOLD_NONE ? 0.0 : below);
-}
-
-
 static mus_status gc_stitch(const struct gc_reader *reader, const mus__json_at *at)
 {
     size_t count;
@@ -388,8 +362,10 @@ static mus_status gc_stitch(const struct gc_reader *reader, const mus__json_at *
     seam.ease =
         mus_pattern_edge_length(reader->pattern, seam.edge_b) - mus_pattern_edge_length(reader->pattern, seam.edge_a);
     status = mus_pattern_add_seam(reader->pattern, &seam, NULL);
-    if (status == MUS_OK) status = gc_hang(reader, seam.edge_a, seam.edge_b);
-    if (status == MUS_OK) status = gc_hang(reader, seam.edge_b, seam.edge_a);
+
+    /* an edge that is sewn hangs from what it is sewn to: held at a level, the top above it would fall over it */
+    if (status == MUS_OK) status = mus_pattern_set_edge_hold(reader->pattern, seam.edge_a, MUS_HOLD_NONE, 0.0);
+    if (status == MUS_OK) status = mus_pattern_set_edge_hold(reader->pattern, seam.edge_b, MUS_HOLD_NONE, 0.0);
     return status == MUS_OK ? MUS_OK : mus__json_wrap(at, status);
 }
 

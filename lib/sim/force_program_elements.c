@@ -64,12 +64,12 @@ static int32_t waits(const mus__program *program, int32_t layer)
 
 
 /* append a hinge with its nodes replaced by rep. One that welding folded onto itself (two of its nodes are one) is left
- * out */
+ * out; of a bend, whose middle is two of its nodes, welding touches none */
 static void append_hinge(mus__program *program, const mus__hinge *hinge, const int32_t *rep)
 {
     mus__hinge own = *hinge;
     if (own.k == 0.0) return;
-    if (rep != NULL) {
+    if (rep != NULL && own.node[0] != own.node[1]) {
         int32_t *i = own.node;
         for (int32_t k = 0; k < 4; k++) i[k] = rep[i[k]];
         if (i[0] == i[1] || i[2] == i[3] || i[0] == i[2] || i[0] == i[3] || i[1] == i[2] || i[1] == i[3]) return;

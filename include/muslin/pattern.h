@@ -146,8 +146,8 @@ MUS_API int32_t mus_hold_find(const char *name);
  * Attach an edge to a level of the body: a drape keeps the edge from sliding more than `below` under the level.
  *
  * The attachment is one-sided: the edge moves freely along the skin and up. MUS_HOLD_NONE (the default) takes it away.
- * What holds itself up is made firm: in a cloth of plate bending, an attached edge that is in no seam and has no elastic
- * gets a facing 5 cm wide that bends as cloth which stands over that width by itself.
+ * What holds itself up is made firm: in a cloth of plate bending, an attached edge that is in no seam and has no
+ * elastic gets a facing 5 cm wide that bends as cloth which stands over that width by itself.
  * A body without the level (a body of given limbs) holds nothing.
  * Units:   below [m], -1 to 1
  * Errors:  MUS_ERR_ARG

@@ -49,6 +49,7 @@ typedef struct mus__relaxation {
     double residual; /* rms of force left over weight at the end of the last settle; NaN: the cloth was moved since */
     double rest_distance; /* how far the farthest node is still expected to go, as of the last check [m] */
     int32_t settled;      /* nonzero: the last settle came to rest */
+    int32_t goes;         /* nonzero: at the last check the cloth went on in the direction in which it came */
     int32_t far;          /* nonzero: not near rest, so that a settle begins on the coarse cut */
 } mus__relaxation;
 

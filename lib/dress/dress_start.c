@@ -247,8 +247,8 @@ static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_s
 }
 
 
-/* settle; and once more where the forces are balanced and the cloth still drifts, as long folds do: it is on its way,
- * and nearer to rest than another start is */
+/* settle; and once more where the cloth still drifts with its forces balanced, or goes on in the direction in which it
+ * came, as long folds do: it is on its way, and nearer to rest than another start is */
 static mus_status start_settle(mus__dress *call, mus__dress_start *start)
 {
     mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
@@ -257,9 +257,9 @@ static mus_status start_settle(mus__dress *call, mus__dress_start *start)
     mus_status status = mus_drape_settle(start->drape, progress, call);
     if (status != MUS_ERR_UNSETTLED || mus_drape_report_get(start->drape, &report) != MUS_OK) return status;
     mus_drape_reason(start->drape, &start->reason);
-    const bool balanced = report.residual <= call->drape.settle_residual;
-    return balanced && start->reason.kind == MUS_REASON_NOT_SETTLED ? mus_drape_settle(start->drape, progress, call)
-                                                                    : status;
+    const bool goes = report.residual <= call->drape.settle_residual || start->drape->relax.goes != 0;
+    return goes && start->reason.kind == MUS_REASON_NOT_SETTLED ? mus_drape_settle(start->drape, progress, call)
+                                                                : status;
 }
 
 

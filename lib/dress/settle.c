@@ -271,6 +271,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
     now->move = farthest(drape, relax->mean, relax->before);
     now->drift = now->move / seconds;
     const bool goes = goes_on(drape) && now->drift > goal->drift;
+    relax->goes = goes;
     const bool slow = goal->residual < ROUGH_RESIDUAL && now->drift < GIVE_DRIFT;
     const bool gives = slow && mus__drape_self_give_way(drape);
     settle_keep(drape, relax->mean, relax->before);
@@ -291,7 +292,7 @@ static void check_rest(mus_drape *drape, const settling *goal, double t, double 
 static lying lie_down(mus_drape *drape, double fall)
 {
     mus__relaxation *relax = &drape->relax;
-    relax->settled = 0;
+    relax->settled = relax->goes = 0;
     settle_keep(drape, drape->x, relax->before);
     memset(relax->went, 0, 3 * (size_t)drape->n * sizeof *relax->went);
     relax->residual = mus__residual(drape, drape->x);

@@ -53,24 +53,27 @@ static inline MUS__REAL MUS__NAME(self_bound_pair)(mus__self_contact *self, int3
                                                    MUS__REAL closing, MUS__REAL most)
 {
     MUS__REAL *bound = (MUS__REAL *)self->bound + 3 * (int64_t)self->n;
-    const int32_t *node = self->pair[k].node;
-    const MUS__REAL t = (MUS__REAL)self->pair[k].thickness;
+    const mus__self_pair *pair = &self->pair[k];
+    const int32_t *node = pair->node;
+    const MUS__REAL t = (MUS__REAL)pair->thickness;
     MUS__REAL limit = (MUS__REAL)MUS__BOUND_SHARE * apart;
     MUS__REAL idle = (MUS__REAL)0.5 * (apart - (MUS__REAL)(1.0 + MUS__REST_BAND) * t);
-    if (apart < (MUS__REAL)MUS__ACTIVE_DISTANCE * t) {
-        self->active[self->nactive++] = k;
-        for (int32_t i = 0; i < 4; i++) self->active_node[node[i]] = 1;
-    } else {
-        limit = (MUS__REAL)MUS__BOUND_APPROACH * (apart - t);
-    }
+    const int32_t near = apart < (MUS__REAL)MUS__ACTIVE_DISTANCE * t;
+    if (!near) limit = (MUS__REAL)MUS__BOUND_APPROACH * (apart - t);
     if (self->drifts) {
         const MUS__REAL part = (MUS__REAL)MUS__BOUND_DRIFT_SHARE * limit;
         if (most * closing > part) most = part / closing;
         limit -= most * closing;
         idle -= most * closing;
     }
-    self->pair[k].idle2 = idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0;
     for (int32_t i = 0; i < 4; i++) bound[node[i]] = limit < bound[node[i]] ? limit : bound[node[i]];
+    if (!near) return most;
+    for (int32_t i = 0; i < 4; i++) self->active_node[node[i]] = 1;
+    const float idle2 = idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0;
+    mus__self_active *active = &self->active[self->nactive++];
+    memcpy(active->node, node, sizeof active->node);
+    memcpy(active->rub, pair->rub, sizeof active->rub);
+    active->pair = k, active->thickness = pair->thickness, active->impulse = pair->impulse, active->idle2 = idle2;
     return most;
 }
 
@@ -104,6 +107,11 @@ static void MUS__NAME(self_bounds_make)(mus__self_contact *self, const MUS__REAL
 {
     const int64_t n = self->n;
     MUS__REAL *centre = self->bound, *bound = centre + 3 * n;
+    for (int32_t k = 0; k < self->nactive; k++) {
+        mus__self_pair *pair = &self->pair[self->active[k].pair];
+        pair->impulse = self->active[k].impulse;
+        memcpy(pair->rub, self->active[k].rub, sizeof pair->rub);
+    }
     if (self->invalid || MUS__NAME(self_bounds_from_list)(self, x)) {
         if (self->invalid || !MUS__NAME(self_list_renew)(self, x)) MUS__NAME(self_list_make)(self, x);
         MUS__NAME(self_bounds_from_list)(self, x);

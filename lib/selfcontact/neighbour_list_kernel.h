@@ -147,7 +147,7 @@ static inline void MUS__NAME(self_list_add)(MUS__NAME(self_search) * search, int
     float thickness = MUS__NAME(self_pair_thickness)(self, edges, node);
     for (int32_t i = 0; i < 4; i++)
         thickness = self->thick_max[node[i]] < thickness ? self->thick_max[node[i]] : thickness;
-    const mus__self_pair pair = {{node[0], node[1], node[2], node[3]}, thickness, 0, 0};
+    const mus__self_pair pair = {{node[0], node[1], node[2], node[3]}, thickness, 0, {0, 0, 0}};
     self->pair[edges ? --search->last : search->first++] = pair;
 }
 

@@ -84,12 +84,12 @@ static MUS__REAL MUS__NAME(self_edge_edge)(const MUS__REAL *a, const MUS__REAL *
 }
 
 
-/* weights (4) of the nodes of pair k, at places p; returns the squared distance of its things */
-static inline MUS__REAL MUS__NAME(self_pair_measure)(const mus__self_contact *self, int32_t k, MUS__REAL p[4][3],
-                                                     MUS__REAL *weight)
+/* weights (4) of the nodes of a pair of edges or of a node and a triangle, at places p; returns the squared distance of
+ * its things */
+static inline MUS__REAL MUS__NAME(self_pair_measure)(int32_t edges, MUS__REAL p[4][3], MUS__REAL *weight)
 {
     MUS__REAL s[3], d2;
-    if (k < self->nnode_pair) {
+    if (!edges) {
         d2 = MUS__NAME(self_point_triangle)(p[0], p[1], p[2], p[3], s);
         weight[0] = 1, weight[1] = -s[0], weight[2] = -s[1], weight[3] = -s[2];
     } else {
@@ -209,6 +209,16 @@ static void MUS__NAME(self_packet_closing)(int32_t edges, const MUS__REAL *restr
 }
 
 
+/* the places of the nodes of a pair, in lane i of a packet */
+static inline void MUS__NAME(self_packet_places)(const MUS__REAL *x, int64_t n, const int32_t *node, int32_t i,
+                                                 MUS__REAL *p)
+{
+    enum { N = MUS__SELF_LANES };
+    for (int32_t j = 0; j < 4; j++)
+        for (int32_t d = 0; d < 3; d++) p[(3 * j + d) * N + i] = x[d * n + node[j]];
+}
+
+
 /* measures pairs k .. k+count-1 of the list, all of one kind */
 static void MUS__NAME(self_packet_measure)(const mus__self_contact *self, int32_t k, int32_t count, const MUS__REAL *x,
                                            MUS__NAME(self_packet) * row)
@@ -218,8 +228,7 @@ static void MUS__NAME(self_packet_measure)(const mus__self_contact *self, int32_
     const MUS__REAL *drift = self->drift;
     for (int32_t i = 0; i < N; i++) {
         const int32_t *node = self->pair[k + (i < count ? i : 0)].node;
-        for (int32_t j = 0; j < 4; j++)
-            for (int32_t d = 0; d < 3; d++) row->p[(3 * j + d) * N + i] = x[d * n + node[j]];
+        MUS__NAME(self_packet_places)(x, n, node, i, row->p);
         for (int32_t j = 0; j < 4 && self->drifts; j++)
             for (int32_t d = 0; d < 3; d++) row->w[(3 * j + d) * N + i] = drift[d * n + node[j]];
     }

@@ -324,6 +324,7 @@ int32_t mus__self_contact_yield(mus__self_contact *self, const uint8_t *marked)
         mus__self_pair *pair = &self->pair[k];
         for (int32_t i = 0; i < 4; i++) pair->thickness = fminf(pair->thickness, self->thick_max[pair->node[i]]);
     }
+    for (int32_t k = 0; k < self->nactive; k++) self->active[k].thickness = self->pair[self->active[k].pair].thickness;
     return gave;
 }
 
@@ -345,16 +346,16 @@ mus_status mus__self_contact_grow(mus__self_contact *self)
                          "drape: more than %d pairs of cloth and cloth are nearer than %g mm; the cloth is crumpled",
                          (int)self->pair_capacity, 1e3 * self->thickness);
     mus__self_pair *pair = mus__new(self->context, capacity, sizeof *pair);
-    int32_t *touch = mus__new(self->context, capacity, sizeof *touch);
-    if (pair == NULL || touch == NULL) {
+    mus__self_active *active = mus__new(self->context, capacity, sizeof *active);
+    if (pair == NULL || active == NULL) {
         mus__free(self->context, pair);
-        mus__free(self->context, touch);
+        mus__free(self->context, active);
         return mus__fail_memory(self->context, "the pairs of cloth near cloth");
     }
     mus__free(self->context, self->pair);
     mus__free(self->context, self->active);
     self->pair = pair;
-    self->active = touch;
+    self->active = active;
     self->pair_capacity = (int32_t)capacity;
     self->npair = self->nactive = self->nnode_pair = 0;
     self->full = 0;

@@ -21,7 +21,7 @@ int32_t mus__self_contact_separate(const mus__self_contact *self, double least, 
         const int32_t *node = self->pair[k].node;
         double p[4][3], weight[4], normal[3], give = 0.0;
         for (int32_t i = 0; i < 4; i++) memcpy(p[i], x + 3 * (int64_t)node[i], sizeof p[i]);
-        const double d2 = mus__self_pair_measure_f64(self, k, p, weight);
+        const double d2 = mus__self_pair_measure_f64(k >= self->nnode_pair, p, weight);
         if (!(d2 < least * least) || !(d2 > 0.0)) continue;
         const double apart = sqrt(d2);
         for (int32_t d = 0; d < 3; d++)

@@ -10,9 +10,19 @@
 typedef struct mus__self_pair { /* a node and a triangle, or two edges */
     int32_t node[4];
     float thickness; /* [m] */
-    float impulse;   /* along the normal in the last call [N s] */
-    float idle2;     /* while no node has travelled this far (squared), its things do not touch [m2] */
+    float impulse;   /* along the normal in the last call [N s]; of an active pair, when it became active */
+    float rub[3];    /* across the normal likewise, on its first thing [N s] */
 } mus__self_pair;
+
+typedef struct mus__self_active { /* a pair that answers calls, from bounds to bounds: what they ask for stands together
+                                   */
+    int32_t node[4];
+    int32_t pair;    /* its number */
+    float thickness; /* [m] */
+    float impulse;   /* along the normal in the last call [N s] */
+    float rub[3];    /* across it, on the first thing */
+    float idle2;     /* while no node has travelled this far (squared), its things do not touch [m2] */
+} mus__self_active;
 
 /* the mesh at rest */
 typedef struct mus__self_mesh {
@@ -71,7 +81,7 @@ typedef struct mus__self_contact {
     int32_t pair_capacity;
     mus__self_pair
         *pair;       /* (pair_capacity) nnode_pair of a node and a triangle from the front, of two edges from the end */
-    int32_t *active; /* (pair_capacity) numbers of the active pairs */
+    mus__self_active *active; /* (pair_capacity) the active pairs, in the order of the list */
     mus__box_grid grid;
 
     /* counts since create */

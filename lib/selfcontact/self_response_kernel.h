@@ -131,20 +131,21 @@ typedef struct MUS__NAME(self_contact_pair) {
 } MUS__NAME(self_contact_pair);
 
 
-/* fills *pair from pair number k; not where its things are out of reach and it gave no impulse. Nonzero when they are
+/* fills *pair from an active one; not where its things are out of reach and it gave no impulse. Nonzero when they are
  * nearer than the thickness, or within the rest band */
-static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, int32_t k, const MUS__REAL *x,
-                                                MUS__NAME(self_contact_pair) * pair)
+static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, const mus__self_active *active,
+                                                const MUS__REAL *x, MUS__NAME(self_contact_pair) * pair)
 {
-    const MUS__REAL t = (MUS__REAL)self->pair[k].thickness, reach = (MUS__REAL)(1.0 + MUS__REST_BAND) * t;
+    const MUS__REAL t = (MUS__REAL)active->thickness, reach = (MUS__REAL)(1.0 + MUS__REST_BAND) * t;
+    const int32_t edges = active->pair >= self->nnode_pair;
     MUS__REAL p[4][3], *weight = pair->weight;
-    pair->node = self->pair[k].node;
-    pair->split = k < self->nnode_pair ? 1 : 2;
+    pair->node = active->node;
+    pair->split = 1 + edges;
     MUS__NAME(self_pair_places)(x, self->n, pair->node, p);
-    const MUS__REAL d2 = MUS__NAME(self_pair_measure)(self, k, p, weight);
+    const MUS__REAL d2 = MUS__NAME(self_pair_measure)(edges, p, weight);
     const int32_t lies = d2 > 0 && d2 < reach * reach;
     pair->overlap = t;
-    if (!lies && !(d2 > 0 && self->pair[k].impulse > 0)) return 0;
+    if (!lies && !(d2 > 0 && active->impulse > 0)) return 0;
     const MUS__REAL apart = (MUS__REAL)MUS__NAME(sqrt)(d2);
     pair->overlap = t - apart;
     for (int32_t d = 0; d < 3; d++)
@@ -177,25 +178,32 @@ static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS
 }
 
 
-/* warm start: gives a share of the impulse of the last call, along the normal of now */
+/* warm start: gives a share of the impulse of the last call, along the normal of now, and across it all of its
+ * friction, which the answer keeps within mu times the normal's. A share of it would let the rest slip in each call */
 static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__self_rule *rule,
-                                            const MUS__REAL *inverse, int32_t k, MUS__REAL *x, MUS__REAL *v)
+                                            const MUS__REAL *inverse, mus__self_active *active, MUS__REAL *x,
+                                            MUS__REAL *v)
 {
     MUS__NAME(self_contact_pair) pair;
-    if (!MUS__NAME(self_pair_lies)(self, k, x, &pair)) return;
-    self->pair[k].impulse *= (float)MUS__WARM_START;
-    MUS__REAL impulse[3], move[3];
+    if (!MUS__NAME(self_pair_lies)(self, active, x, &pair)) return;
+    active->impulse *= (float)MUS__WARM_START;
+    MUS__REAL impulse[3], move[3], along = 0;
+    for (int32_t d = 0; d < 3; d++) along += (MUS__REAL)active->rub[d] * pair.normal[d];
     for (int32_t d = 0; d < 3; d++) {
-        impulse[d] = (MUS__REAL)self->pair[k].impulse * pair.normal[d];
-        move[d] = pair.overlap > 0 ? (MUS__REAL)rule->slip * impulse[d] : 0;
+        const MUS__REAL rub = (MUS__REAL)active->rub[d] - along * pair.normal[d];
+        active->rub[d] = (float)rub;
+        impulse[d] = (MUS__REAL)active->impulse * pair.normal[d] + rub;
+        move[d] = (MUS__REAL)rule->slip * (pair.overlap > 0 ? impulse[d] : rub);
     }
     MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
 }
 
 
 /*
- * Solves for the change of the pair's normal impulse (the total stays >= 0), then applies friction bounded by mu times
- * the total.
+ * Solves for the change of the pair's impulses: along the normal the total stays >= 0, and across it friction, which
+ * ends the sliding, is at most mu times that. The total of friction stands from call to call too: with friction from
+ * the sliding of each call alone, what a call leaves of it in a heap of pairs is never made up for, and folds that
+ * friction holds creep by some mm/s.
  *
  * No impact is followed by a bounce. The impulse so far may have been too much: because a layer was taken for held that
  * was not, or because the warm start gave a load that had gone. If that drove the two out of reach they would keep up
@@ -204,14 +212,15 @@ static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__
  * masses of both sides, for both move.
  */
 static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__self_rule *rule, const MUS__REAL *inverse,
-                                         int32_t k, MUS__REAL *x, MUS__REAL *v)
+                                         mus__self_active *active, MUS__REAL *x, MUS__REAL *v)
 {
     const int64_t n = self->n;
     MUS__NAME(self_contact_pair) pair;
-    MUS__REAL w[3] = {0, 0, 0}, give = 0, both = 0, speed2 = 0, rub = 0, slide[3], impulse[3], move[3];
-    const int32_t lies = MUS__NAME(self_pair_lies)(self, k, x, &pair);
-    if (!lies && (!(self->pair[k].impulse > 0) || pair.overlap > 0)) {
-        self->pair[k].impulse = 0;
+    MUS__REAL w[3] = {0, 0, 0}, give = 0, both = 0, hold[3], hold2 = 0, rub[3], impulse[3], move[3];
+    const int32_t lies = MUS__NAME(self_pair_lies)(self, active, x, &pair);
+    if (!lies) memset(active->rub, 0, sizeof active->rub);
+    if (!lies && (!(active->impulse > 0) || pair.overlap > 0)) {
+        active->impulse = 0;
         return;
     }
     self->close += lies;
@@ -226,19 +235,25 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     }
 
     /* the approach ends, or the excess is taken back; friction against the sliding */
-    const MUS__REAL out = MUS__NAME(dot)(w, pair.normal), last = (MUS__REAL)self->pair[k].impulse;
+    const MUS__REAL out = MUS__NAME(dot)(w, pair.normal), last = (MUS__REAL)active->impulse;
     if (out > 0) give = both;
     if (!(give > 0)) return;
     const MUS__REAL enough = last - out / give > 0 ? last - out / give : 0;
     const MUS__REAL all = lies || enough < last ? enough : last, more = all - last;
-    for (int32_t d = 0; d < 3; d++) slide[d] = w[d] - out * pair.normal[d], speed2 += slide[d] * slide[d];
-    if (all > 0 && speed2 > 0) {
-        const MUS__REAL speed = (MUS__REAL)MUS__NAME(sqrt)(speed2), grip = (MUS__REAL)self->friction * all * give;
-        rub = MUS__NAME(friction_take)(speed, grip) / give;
+    for (int32_t d = 0; d < 3; d++) {
+        hold[d] = (MUS__REAL)active->rub[d] - (w[d] - out * pair.normal[d]) / give;
+        hold2 += hold[d] * hold[d];
+    }
+    const MUS__REAL grip = (MUS__REAL)self->friction * all;
+    const MUS__REAL part = hold2 > grip * grip ? grip / (MUS__REAL)MUS__NAME(sqrt)(hold2) : 1;
+    for (int32_t d = 0; d < 3; d++) {
+        hold[d] = all > 0 ? part * hold[d] : 0;
+        rub[d] = hold[d] - (MUS__REAL)active->rub[d];
+        active->rub[d] = lies ? (float)hold[d] : 0;
     }
     if (all > 0 && one < two) MUS__NAME(self_rank_set)(self, node, split, 4, one, -1, pair.normal);
     if (all > 0 && two < one) MUS__NAME(self_rank_set)(self, node, 0, split, two, 1, pair.normal);
-    self->pair[k].impulse = lies ? (float)all : 0;
+    active->impulse = lies ? (float)all : 0;
 
     /* take back the way made with the old velocity; in the rest band the pair sinks on, so that it rests below its edge
      */
@@ -246,20 +261,42 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     MUS__REAL push = (MUS__REAL)MUS__PUSH_SHARE * (pair.overlap - sink * more * give);
     push = (push > most ? most : push > 0 ? push : 0) / give;
     for (int32_t d = 0; d < 3; d++) {
-        impulse[d] = more * pair.normal[d] - rub * slide[d];
-        move[d] = (sink * more + push) * pair.normal[d] - slip * rub * slide[d];
+        impulse[d] = more * pair.normal[d] + rub[d];
+        move[d] = (sink * more + push) * pair.normal[d] + slip * rub[d];
     }
     MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
 }
 
 
 /* nonzero when a node of a pair has travelled so far that its things may touch */
-static inline int32_t MUS__NAME(self_pair_may_touch)(const mus__self_contact *self, const mus__self_pair *pair)
+static inline int32_t MUS__NAME(self_pair_may_touch)(const mus__self_contact *self, const mus__self_active *active)
 {
-    const MUS__REAL *off = self->travel2, idle2 = (MUS__REAL)pair->idle2;
-    const int32_t *node = pair->node;
+    const MUS__REAL *off = self->travel2, idle2 = (MUS__REAL)active->idle2;
+    const int32_t *node = active->node;
     if ((MUS__REAL)self->travel2_max < idle2) return 0;
     return !((off[node[0]] < idle2) & (off[node[1]] < idle2) & (off[node[2]] < idle2) & (off[node[3]] < idle2));
+}
+
+
+/* answers the pairs that are asked (count, all of one kind), one after the other; those that gave no impulse in the
+ * last call are measured as a packet first, and most are out of reach */
+static void MUS__NAME(self_respond_packet)(mus__self_contact *self, const mus__self_rule *rule,
+                                           const MUS__REAL *inverse, mus__self_active *const *asked, int32_t count,
+                                           MUS__REAL *x, MUS__REAL *v)
+{
+    enum { N = MUS__SELF_LANES };
+    MUS__REAL p[12 * N], weight[4 * N], apart[N];
+    for (int32_t i = 0; i < N; i++) MUS__NAME(self_packet_places)(x, self->n, asked[i < count ? i : 0]->node, i, p);
+    if (asked[0]->pair < self->nnode_pair)
+        MUS__NAME(self_packet_point_triangle)(p, weight, apart);
+    else
+        MUS__NAME(self_packet_edge_edge)(p, weight, apart);
+    for (int32_t i = 0; i < count; i++) {
+        const MUS__REAL reach = (MUS__REAL)(1.0 + MUS__REST_BAND) * (MUS__REAL)asked[i]->thickness;
+        if (asked[i]->impulse > 0 || apart[i] < reach)
+            MUS__NAME(self_pair_respond)(self, rule, inverse, asked[i], x, v);
+    }
+    self->responses += count;
 }
 
 
@@ -269,17 +306,24 @@ static void MUS__NAME(self_respond_pairs)(mus__self_contact *self, const mus__se
     self->close = 0;
     self->travel2_max = (double)MUS__NAME(self_travel2_all)(self->n, self->nodes, (MUS__REAL)self->bound_age,
                                                             self->bound, self->drift, x, self->travel2);
-    for (int32_t k = 0; k < self->nactive; k++)
-        if (self->pair[self->active[k]].impulse > 0)
-            MUS__NAME(self_pair_warm_start)(self, rule, inverse, self->active[k], x, v);
+    mus__self_active *const end = self->active + self->nactive;
+    for (mus__self_active *active = self->active; active < end; active++)
+        if (active->impulse > 0) MUS__NAME(self_pair_warm_start)(self, rule, inverse, active, x, v);
 
-    /* a pair that gave no impulse in the last call and cannot touch in this one is not asked */
-    for (int32_t k = 0; k < self->nactive; k++) {
-        const mus__self_pair *pair = &self->pair[self->active[k]];
-        if (!(pair->impulse > 0) && !MUS__NAME(self_pair_may_touch)(self, pair)) continue;
-        MUS__NAME(self_pair_respond)(self, rule, inverse, self->active[k], x, v);
-        self->responses++;
+    /* a pair that gave no impulse in the last call and cannot touch in this one is not asked. Pairs of a node and a
+     * triangle stand first */
+    mus__self_active *asked[MUS__SELF_LANES];
+    int32_t count = 0;
+    for (mus__self_active *active = self->active; active < end; active++) {
+        if (!(active->impulse > 0) && !MUS__NAME(self_pair_may_touch)(self, active)) continue;
+        const bool other = count > 0 && (active->pair < self->nnode_pair) != (asked[0]->pair < self->nnode_pair);
+        if (other || count == MUS__SELF_LANES) {
+            MUS__NAME(self_respond_packet)(self, rule, inverse, asked, count, x, v);
+            count = 0;
+        }
+        asked[count++] = active;
     }
+    if (count > 0) MUS__NAME(self_respond_packet)(self, rule, inverse, asked, count, x, v);
 }
 
 

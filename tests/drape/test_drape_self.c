@@ -127,6 +127,33 @@ START_TEST(cloth_slides_on_cloth_beyond_the_angle_of_friction)
 END_TEST
 
 
+/* friction that is found in each call from the sliding alone leaves some of it in each: a heap of layers crept */
+START_TEST(a_pile_that_friction_holds_does_not_creep)
+{
+    enum { LAYERS = 6 };
+    const double mu = 0.5, slope = atan(0.8 * mu), settle = 0.3, seconds = 0.5;
+    double size[2 * LAYERS];
+    for (int k = 0; k < LAYERS; k++) size[2 * k] = 0.4 - 0.05 * k, size[2 * k + 1] = 0.3 - 0.03 * k;
+    pile p;
+    pile_start(&p, _i ? 64 : 32);
+    p.def.self_friction = mu;
+    p.def.gravity[0] = 9.81 * sin(slope), p.def.gravity[1] = -9.81 * cos(slope);
+    pile_make(&p, LAYERS, size, 0.0021);
+    pile_step(&p, settle);
+    double *before = malloc(3 * (size_t)p.n * sizeof *before), sum = 0.0;
+    memcpy(before, mus_drape_positions(p.drape), 3 * (size_t)p.n * sizeof *before);
+    pile_step(&p, seconds);
+    int32_t count = 0;
+    for (int32_t i = 0; i < p.n; i++)
+        if (p.panel[i] == LAYERS - 1) sum += mus_drape_positions(p.drape)[3 * i] - before[3 * i], count++;
+    const double creep = sum / count / seconds;
+    ck_assert_msg(fabs(creep) < 1e-4, "%g m/s", creep);
+    free(before);
+    pile_end(&p);
+}
+END_TEST
+
+
 /* three layers thrown down at 1 to 100 m/s: none goes through another, in any step */
 START_TEST(sheets_thrown_on_each_other_never_cross)
 {
@@ -407,6 +434,7 @@ Suite *mus_suite_drape_self(void)
     TCase *tests = tcase_create("drape_self");
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, cloth_slides_on_cloth_beyond_the_angle_of_friction, 0, SUPPORT_SLOW ? 1 : 8);
+    tcase_add_loop_test(tests, a_pile_that_friction_holds_does_not_creep, 0, 2);
     tcase_add_loop_test(tests, sheets_thrown_on_each_other_never_cross, 0, SUPPORT_SLOW ? 2 : 6);
     tcase_add_loop_test(tests, a_blow_is_not_followed_by_a_bounce, 0, 2);
     tcase_add_loop_test(tests, what_trembles_beside_cloth_gains_no_energy, 0, SUPPORT_SLOW ? 1 : 4);

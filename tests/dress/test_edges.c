@@ -1,8 +1,9 @@
 /*
- * test_edges.c: edges that nothing holds lie at rest as the pattern has them: points of strapless tops stand, bands at a
- * hem hang below the cloth that blouses over them.
+ * test_edges.c: edges that nothing holds lie at rest as the pattern has them: points of strapless tops stand, bands at
+ * a hem hang below the cloth that blouses over them.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "drape/worn.h"

@@ -215,7 +215,7 @@ static int32_t line_count(const char *text, size_t size)
 START_TEST(instructions_say_the_same_in_every_language)
 {
     mus_context *context = support_context();
-    for (int32_t d = 0; d < mus_design_count(); d += SUPPORT_SLOW ? 101 : 90) {
+    for (int32_t d = 0; d < mus_design_count(); d += SUPPORT_SLOW ? 400 : 60) {
         mus_pattern *pattern = draft(context, d);
         char *english, *bytes, title[256];
         size_t size, n;

@@ -24,7 +24,7 @@
     G(a_line_mini, C116, 64) G(a_line_skirt_maxi, W40, 32) G(gored4_skirt_midi, W34, 64)                               \
     G(gored6_skirt_knee, W50, 32) G(gored8_skirt_mini, W40, 64) G(gored8_skirt_maxi, W34, 32)                          \
     G(quarter_skirt_maxi, W50, 64) G(half_skirt_midi, W40, 32) G(three_quarter_skirt_mini, C116, 64)                   \
-    G(poodle_skirt, W40, 64) G(full_skirt_hi_low, W34, 32) G(dirndl_skirt, C116, 64) G(knife_skirt_mini, W40, 32)      \
+    G(poodle_skirt, W40, 64) G(full_skirt_hi_low, W34, 32) G(dirndl_skirt, W40, 64) G(knife_skirt_mini, W40, 32)      \
     G(knife_skirt_maxi, W34, 64) G(box_skirt_midi, W50, 32) G(tiered_skirt_knee, C116, 64)                             \
     G(wrap_skirt_mini, W34, 32) G(sarong, W50, 64) G(godet_skirt_midi, W40, 32) G(trumpet_skirt_midi, W34, 64)         \
     G(straight_skirt_high, W50, 32) G(a_line_skirt_high, W40, 64) G(half_skirt_contour, W34, 32)                       \
@@ -39,7 +39,7 @@
     G(pleated_sweetheart_sleeveless, W34, 64) G(princess_a_line_v_sleeveless, W40, 64)                                 \
     G(panel_a_line_scoop_short, W40, 32) G(empire_gathered_v_short, W40, 32)                                           \
     G(empire_gathered_square_sleeveless, W34, 64) G(gown_halter_gored8, W34, 32)                                       \
-    G(gown_sweetheart_gathered, W50, 64) G(gown_deep_v_gored8, W34, 64) G(a_line_dress_bell, W40, 64)                  \
+    G(gown_sweetheart_gathered, W50, 64) G(gown_deep_v_gored8, W34, 64) G(a_line_dress_puff, W40, 64)                  \
     G(romper, W40, 32) G(straight_shorts, W40, 64) G(jumpsuit_strapless_culotte, W34, 32)                      \
     G(palazzo, M46, 64) G(romper_v_wide, W34, 32) G(romper_strapless_straight, W50, 64)
 

@@ -16,8 +16,7 @@
 
 #include "cloth/mesh.h"
 #include "geom/vec.h"
-
-#define FACED_WIDTH 0.05 /* [m] of a facing (Aldrich 2008: 5 to 6 cm) */
+#include "pattern/pattern_internal.h"
 
 
 /* does the edge hold itself up: attached, sewn to nothing, without an elastic? */
@@ -33,7 +32,7 @@ static bool faced_edge(const mus__mesh *mesh, int32_t edge)
 }
 
 
-/* marks the nodes of the panel within the width of an edge, in the flat; returns whether there is one */
+/* marks the nodes of the panel within the width of a facing from an edge, in the flat */
 static void faced_nodes(const mus__mesh *mesh, int32_t edge, unsigned char *faced)
 {
     const mus_cloth *cloth = mesh->cloth;
@@ -46,7 +45,7 @@ static void faced_nodes(const mus__mesh *mesh, int32_t edge, unsigned char *face
             const double *x = cloth->rest + 2 * (ptrdiff_t)i;
             const double at = fmin(fmax(((x[0] - p[0]) * ux + (x[1] - p[1]) * uy) / length2, 0.0), 1.0);
             const double dx = x[0] - p[0] - at * ux, dy = x[1] - p[1] - at * uy;
-            if (dx * dx + dy * dy < FACED_WIDTH * FACED_WIDTH) faced[i] = 1;
+            if (dx * dx + dy * dy < MUS__FACING * MUS__FACING) faced[i] = 1;
         }
     }
 }
@@ -92,23 +91,21 @@ mus_status mus__mesh_facings(mus__mesh *mesh)
 {
     mus_cloth *cloth = mesh->cloth;
     const double *bend = cloth->fabric.bend, softest = fmin(fmin(bend[0], bend[1]), bend[2]);
-    const double asked = mus__rigidity_of_length(cloth->fabric.weight, FACED_WIDTH);
+    const double asked = mus__rigidity_of_length(cloth->fabric.weight, MUS__FACING);
     if (!(softest > 0.0 && softest < asked) || mesh->paper > 0.0) return MUS_OK;
     unsigned char *faced = mus__new(mesh->context, cloth->nnode, sizeof *faced);
     if (faced == NULL) return mus__fail_memory(mesh->context, "the facings of a cloth");
-    bool any = false;
     for (int32_t e = 0; e < mus_pattern_edge_count(mesh->pattern); e++)
-        if (faced_edge(mesh, e)) faced_nodes(mesh, e, faced), any = true;
+        if (faced_edge(mesh, e)) faced_nodes(mesh, e, faced);
 
     const double gain = asked / softest - 1.0;
     /* of an inner node in its stencils along one line: its own and those of its neighbours (border_springs.c) */
     const double most = gain * 16.0 * fmax(mesh->constant.bend[0], mesh->constant.bend[1]);
-    const int32_t nhinge = cloth->nhinge;
+    faced_hinges(cloth->hinge, cloth->nhinge, faced, gain, most);
+    faced_hinges(cloth->seam_hinge, cloth->nseam_hinge, faced, gain, most);
     mus_status status = MUS_OK;
-    for (int32_t r = 0; any && r < cloth->nbend && status == MUS_OK; r++)
+    for (int32_t r = 0; r < cloth->nbend && status == MUS_OK; r++)
         status = faced_stencils(mesh, &cloth->bend[r], faced, gain);
-    if (any) faced_hinges(cloth->hinge, nhinge, faced, gain, most);
-    if (any) faced_hinges(cloth->seam_hinge, cloth->nseam_hinge, faced, gain, most);
     mus__free(mesh->context, faced);
     return status;
 }

@@ -10,7 +10,6 @@
 
 #include "half/half_garment.h"
 
-#define MUS__FACING (5.0 * MUS__CM) /* [m] width of a facing (Aldrich 2008: 5 to 6 cm) */
 
 /* panels under work; the first failure stays in `status`, and calls after it do nothing */
 typedef struct mus__cut_only {

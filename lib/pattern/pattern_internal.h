@@ -6,6 +6,8 @@
 
 #include "pattern/pattern_data.h"
 
+#define MUS__FACING 0.05 /* [m] width of a facing, as it is cut and as it stiffens cloth (Aldrich 2008: 5 to 6 cm) */
+
 /* ---- pattern.c ---- */
 
 /* is `index` below `count`? Errors: MUS_ERR_ARG with "`what` 7 is unknown, the pattern has 4" */

@@ -72,7 +72,7 @@ static inline MUS__REAL MUS__NAME(self_bound_pair)(mus__self_contact *self, int3
     const float idle2 = idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0;
     mus__self_active *active = &self->active[self->nactive++];
     memcpy(active->node, node, sizeof active->node);
-    memcpy(active->rub, pair->rub, sizeof active->rub);
+    memcpy(active->tangential, pair->tangential, sizeof active->tangential);
     active->pair = k, active->thickness = pair->thickness, active->impulse = pair->impulse, active->idle2 = idle2;
     return most;
 }
@@ -110,7 +110,7 @@ static void MUS__NAME(self_bounds_make)(mus__self_contact *self, const MUS__REAL
     for (int32_t k = 0; k < self->nactive; k++) {
         mus__self_pair *pair = &self->pair[self->active[k].pair];
         pair->impulse = self->active[k].impulse;
-        memcpy(pair->rub, self->active[k].rub, sizeof pair->rub);
+        memcpy(pair->tangential, self->active[k].tangential, sizeof pair->tangential);
     }
     if (self->invalid || MUS__NAME(self_bounds_from_list)(self, x)) {
         if (self->invalid || !MUS__NAME(self_list_renew)(self, x)) MUS__NAME(self_list_make)(self, x);

@@ -9,19 +9,19 @@
 
 typedef struct mus__self_pair { /* a node and a triangle, or two edges */
     int32_t node[4];
-    float thickness; /* [m] */
-    float impulse;   /* along the normal in the last call [N s]; of an active pair, when it became active */
-    float rub[3];    /* across the normal likewise, on its first thing [N s] */
+    float thickness;     /* [m] */
+    float impulse;       /* along the normal in the last call [N s]; of an active pair, when it became active */
+    float tangential[3]; /* that of friction likewise, on its first thing [N s] */
 } mus__self_pair;
 
 typedef struct mus__self_active { /* a pair that answers calls, from bounds to bounds: what they ask for stands together
                                    */
     int32_t node[4];
-    int32_t pair;    /* its number */
-    float thickness; /* [m] */
-    float impulse;   /* along the normal in the last call [N s] */
-    float rub[3];    /* across it, on the first thing */
-    float idle2;     /* while no node has travelled this far (squared), its things do not touch [m2] */
+    int32_t pair;        /* its number */
+    float thickness;     /* [m] */
+    float impulse;       /* along the normal in the last call [N s] */
+    float tangential[3]; /* that of friction, on its first thing [N s] */
+    float idle2;         /* while no node has travelled this far (squared), its things do not touch [m2] */
 } mus__self_active;
 
 /* the mesh at rest */

@@ -188,12 +188,12 @@ static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__
     if (!MUS__NAME(self_pair_lies)(self, active, x, &pair)) return;
     active->impulse *= (float)MUS__WARM_START;
     MUS__REAL impulse[3], move[3], along = 0;
-    for (int32_t d = 0; d < 3; d++) along += (MUS__REAL)active->rub[d] * pair.normal[d];
+    for (int32_t d = 0; d < 3; d++) along += (MUS__REAL)active->tangential[d] * pair.normal[d];
     for (int32_t d = 0; d < 3; d++) {
-        const MUS__REAL rub = (MUS__REAL)active->rub[d] - along * pair.normal[d];
-        active->rub[d] = (float)rub;
-        impulse[d] = (MUS__REAL)active->impulse * pair.normal[d] + rub;
-        move[d] = (MUS__REAL)rule->slip * (pair.overlap > 0 ? impulse[d] : rub);
+        const MUS__REAL across = (MUS__REAL)active->tangential[d] - along * pair.normal[d];
+        active->tangential[d] = (float)across;
+        impulse[d] = (MUS__REAL)active->impulse * pair.normal[d] + across;
+        move[d] = (MUS__REAL)rule->slip * (pair.overlap > 0 ? impulse[d] : across);
     }
     MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
 }
@@ -216,9 +216,9 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
 {
     const int64_t n = self->n;
     MUS__NAME(self_contact_pair) pair;
-    MUS__REAL w[3] = {0, 0, 0}, give = 0, both = 0, hold[3], hold2 = 0, rub[3], impulse[3], move[3];
+    MUS__REAL w[3] = {0, 0, 0}, give = 0, both = 0, hold[3], hold2 = 0, across[3], impulse[3], move[3];
     const int32_t lies = MUS__NAME(self_pair_lies)(self, active, x, &pair);
-    if (!lies) memset(active->rub, 0, sizeof active->rub);
+    if (!lies) memset(active->tangential, 0, sizeof active->tangential);
     if (!lies && (!(active->impulse > 0) || pair.overlap > 0)) {
         active->impulse = 0;
         return;
@@ -241,15 +241,15 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     const MUS__REAL enough = last - out / give > 0 ? last - out / give : 0;
     const MUS__REAL all = lies || enough < last ? enough : last, more = all - last;
     for (int32_t d = 0; d < 3; d++) {
-        hold[d] = (MUS__REAL)active->rub[d] - (w[d] - out * pair.normal[d]) / give;
+        hold[d] = (MUS__REAL)active->tangential[d] - (w[d] - out * pair.normal[d]) / give;
         hold2 += hold[d] * hold[d];
     }
     const MUS__REAL grip = (MUS__REAL)self->friction * all;
     const MUS__REAL part = hold2 > grip * grip ? grip / (MUS__REAL)MUS__NAME(sqrt)(hold2) : 1;
     for (int32_t d = 0; d < 3; d++) {
         hold[d] = all > 0 ? part * hold[d] : 0;
-        rub[d] = hold[d] - (MUS__REAL)active->rub[d];
-        active->rub[d] = lies ? (float)hold[d] : 0;
+        across[d] = hold[d] - (MUS__REAL)active->tangential[d];
+        active->tangential[d] = lies ? (float)hold[d] : 0;
     }
     if (all > 0 && one < two) MUS__NAME(self_rank_set)(self, node, split, 4, one, -1, pair.normal);
     if (all > 0 && two < one) MUS__NAME(self_rank_set)(self, node, 0, split, two, 1, pair.normal);
@@ -261,8 +261,8 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     MUS__REAL push = (MUS__REAL)MUS__PUSH_SHARE * (pair.overlap - sink * more * give);
     push = (push > most ? most : push > 0 ? push : 0) / give;
     for (int32_t d = 0; d < 3; d++) {
-        impulse[d] = more * pair.normal[d] + rub[d];
-        move[d] = (sink * more + push) * pair.normal[d] + slip * rub[d];
+        impulse[d] = more * pair.normal[d] + across[d];
+        move[d] = (sink * more + push) * pair.normal[d] + slip * across[d];
     }
     MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
 }

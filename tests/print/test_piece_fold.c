@@ -88,6 +88,16 @@ START_TEST(halves_of_named_designs_unfold_to_the_whole)
 END_TEST
 
 
+/* makes the first piece of a pattern, and tells whether it is printed as its half */
+static bool piece_folds(const mus_pattern *pattern, mus__piece *piece)
+{
+    memset(piece, 0, sizeof *piece);
+    ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, piece), MUS_OK);
+    ck_assert_int_eq(mus__piece_fold(context, pattern, piece), MUS_OK);
+    return piece->fold;
+}
+
+
 START_TEST(what_is_not_symmetric_stays_whole)
 {
     /* a square; with a notch on one side; with a mark beside the middle; with a wider allowance on one side */
@@ -95,14 +105,11 @@ START_TEST(what_is_not_symmetric_stays_whole)
     for (int32_t k = 0; k < 4; k++) {
         mus_pattern *pattern = sample_polygon(context, 4, xy);
         mus__piece piece;
-        memset(&piece, 0, sizeof piece);
         const double at[] = {0.1, 0.3};
         if (k == 1) ck_assert_int_eq(mus_pattern_add_notch(pattern, 1, 0.2, MUS_NOTCH_SINGLE, NULL), MUS_OK);
         if (k == 2) ck_assert_int_eq(mus_pattern_add_mark(pattern, 0, "pocket", 1, at, NULL), MUS_OK);
         if (k == 3) ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, 1, 0.02), MUS_OK);
-        ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
-        ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
-        ck_assert_int_eq(piece.fold, k == 0);
+        ck_assert(piece_folds(pattern, &piece) == (k == 0));
         if (k == 0) ck_assert_double_eq_tol(piece.box[2], 0.21, 1e-6);
         mus__piece_free(context, &piece);
         mus_pattern_destroy(pattern);
@@ -144,12 +151,9 @@ START_TEST(a_band_is_folded_across_its_length_alone)
     for (int32_t k = 0; k < 4; k++) {
         mus_pattern *pattern = sample_polygon(context, 4, xy);
         mus__piece piece;
-        memset(&piece, 0, sizeof piece);
         if (k % 2 == 1) ck_assert_int_eq(mus_pattern_set_edge_label(pattern, 2, "top"), MUS_OK);
         if (k >= 2) ck_assert_int_eq(mus_pattern_set_grain(pattern, 0, 1.0, 0.0), MUS_OK);
-        ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
-        ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
-        ck_assert_int_eq(piece.fold, k != 3);
+        ck_assert(piece_folds(pattern, &piece) == (k != 3));
         mus__piece_free(context, &piece);
         mus_pattern_destroy(pattern);
     }
@@ -164,10 +168,7 @@ START_TEST(a_piece_is_turned_by_quarters)
     mus_pattern *pattern = sample_polygon(context, 4, xy);
     mus__piece piece;
     double first[4];
-    memset(&piece, 0, sizeof piece);
-    ck_assert_int_eq(mus__piece_make(context, pattern, 0, 0.01, &piece), MUS_OK);
-    ck_assert_int_eq(mus__piece_fold(context, pattern, &piece), MUS_OK);
-    ck_assert(piece.fold);
+    ck_assert(piece_folds(pattern, &piece));
     memcpy(first, piece.box, sizeof first);
     for (int32_t k = 1; k <= 4; k++) {
         const double top[2] = {0.3, 0.6};

@@ -1,8 +1,8 @@
 /*
  * garments.h: G(design, size, bits of the state): 100 garments that come to rest at the spacing of hashes.c, with and
- * without self-contact. Of 250 designs evenly from the named ones 118 do, on sizes in turn (palazzo on a larger one);
- * these are the 100 that take the least time. The cloth of the others is too coarse for them at that spacing, above all
- * for openings and bands.
+ * without self-contact. Of 250 designs evenly from the named ones 118 do, on sizes in turn (palazzo and the dirndl on
+ * others); these are the 100 that take the least time. The cloth of the others is too coarse for them at that spacing,
+ * above all for openings and bands.
  */
 #ifndef MUS_PORTS_GARMENTS_H
 #define MUS_PORTS_GARMENTS_H

@@ -67,13 +67,7 @@ static inline MUS__REAL MUS__NAME(self_bound_pair)(mus__self_contact *self, int3
         idle -= most * closing;
     }
     for (int32_t i = 0; i < 4; i++) bound[node[i]] = limit < bound[node[i]] ? limit : bound[node[i]];
-    if (!near) return most;
-    for (int32_t i = 0; i < 4; i++) self->active_node[node[i]] = 1;
-    const float idle2 = idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0;
-    mus__self_active *active = &self->active[self->nactive++];
-    memcpy(active->node, node, sizeof active->node);
-    memcpy(active->tangential, pair->tangential, sizeof active->tangential);
-    active->pair = k, active->thickness = pair->thickness, active->impulse = pair->impulse, active->idle2 = idle2;
+    if (near) MUS__NAME(self_active_add)(self, k, idle > 0 ? (float)((MUS__REAL)MUS__IDLE_SHARE * idle * idle) : 0);
     return most;
 }
 
@@ -85,7 +79,7 @@ static MUS__REAL MUS__NAME(self_bound_pairs)(mus__self_contact *self, const MUS_
     const int32_t edges = self->pair_capacity - (self->npair - self->nnode_pair);
     const int32_t range[2][2] = {{0, self->nnode_pair}, {edges, self->pair_capacity}};
     self->measured += self->npair;
-    self->nactive = 0;
+    self->nactive = self->nnode_active = 0;
     memset(self->active_node, 0, (size_t)self->nodes);
     MUS__NAME(self_packet) row;
     for (int32_t kind = 0; kind < 2; kind++)
@@ -139,23 +133,6 @@ static void MUS__NAME(self_bounds_make)(mus__self_contact *self, const MUS__REAL
 }
 
 
-/* number of nodes whose squared distance from the middle of their bound, which has drifted for `since`, is above `part`
- * of the squared bound */
-MUS_CLONES
-static int32_t MUS__NAME(self_bounds_beyond)(int64_t n, int32_t count, MUS__REAL part, MUS__REAL since,
-                                             const MUS__REAL *restrict bound, const MUS__REAL *restrict w,
-                                             const MUS__REAL *restrict x)
-{
-    int32_t beyond = 0;
-    for (int32_t i = 0; i < count; i++) {
-        const MUS__REAL d0 = x[i] - (bound[i] + since * w[i]), d1 = x[n + i] - (bound[n + i] + since * w[n + i]);
-        const MUS__REAL d2 = x[2 * n + i] - (bound[2 * n + i] + since * w[2 * n + i]);
-        beyond += d0 * d0 + d1 * d1 + d2 * d2 <= part * bound[3 * n + i] ? 0 : 1;
-    }
-    return beyond;
-}
-
-
 /* squared distance of node i from the middle of its bound, which has drifted for `since` */
 static inline MUS__REAL MUS__NAME(self_travel2)(int64_t n, int64_t i, MUS__REAL since, const MUS__REAL *bound,
                                                 const MUS__REAL *w, const MUS__REAL *x)
@@ -166,40 +143,40 @@ static inline MUS__REAL MUS__NAME(self_travel2)(int64_t n, int64_t i, MUS__REAL 
 }
 
 
-/* the same of all nodes, into travel2 (count); returns the largest */
+/* the same of all nodes, into travel2 (count) */
 MUS_CLONES
-static MUS__REAL MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL since, const MUS__REAL *restrict bound,
-                                             const MUS__REAL *restrict w, const MUS__REAL *restrict x,
-                                             MUS__REAL *restrict travel2)
+static void MUS__NAME(self_travel2_all)(int64_t n, int32_t count, MUS__REAL since, const MUS__REAL *restrict bound,
+                                        const MUS__REAL *restrict w, const MUS__REAL *restrict x,
+                                        MUS__REAL *restrict travel2)
 {
-    MUS__REAL most[16] = {0}, all = 0;
-    int32_t i = 0;
-    for (; i + 16 <= count; i += 16)
-        for (int32_t k = 0; k < 16; k++) {
-            travel2[i + k] = MUS__NAME(self_travel2)(n, i + k, since, bound, w, x);
-            most[k] = travel2[i + k] > most[k] ? travel2[i + k] : most[k];
-        }
-    for (; i < count; i++) {
-        travel2[i] = MUS__NAME(self_travel2)(n, i, since, bound, w, x);
-        all = travel2[i] > all ? travel2[i] : all;
-    }
-    for (int32_t k = 0; k < 16; k++) all = most[k] > all ? most[k] : all;
-    return all;
+    for (int32_t i = 0; i < count; i++) travel2[i] = MUS__NAME(self_travel2)(n, i, since, bound, w, x);
+}
+
+
+/* number of nodes whose squared travel is above `part` of the squared bound */
+MUS_CLONES
+static int32_t MUS__NAME(self_bounds_beyond)(int32_t count, MUS__REAL part, const MUS__REAL *restrict bound2,
+                                             const MUS__REAL *restrict travel2)
+{
+    int32_t beyond = 0;
+    for (int32_t i = 0; i < count; i++) beyond += travel2[i] <= part * bound2[i] ? 0 : 1;
+    return beyond;
 }
 
 
 /*
  * Puts nodes that left their bounds back to where they came out, and slows them by as much as they went less far in
  * this step of h: with the old speed they would gain the work of the forces over the way back. That is an impulse of
- * other cloth too. Nonzero when any node is near the end of its bound.
+ * other cloth too. Nonzero when any node is near the end of its bound. travel2 is that of the places x, before and
+ * after.
  */
 static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL h, const MUS__REAL *inverse,
                                               MUS__REAL *x, MUS__REAL *v)
 {
     const int64_t n = self->n;
     const MUS__REAL *bound = self->bound, *w = self->drift, since = (MUS__REAL)self->bound_age;
-    MUS__REAL *force = self->force;
-    if (MUS__NAME(self_bounds_beyond)(n, self->nodes, (MUS__REAL)MUS__BOUND_RENEW, since, bound, w, x) == 0) return 0;
+    MUS__REAL *force = self->force, *off = self->travel2;
+    if (MUS__NAME(self_bounds_beyond)(self->nodes, (MUS__REAL)MUS__BOUND_RENEW, bound + 3 * n, off) == 0) return 0;
     for (int64_t i = 0; i < self->nodes; i++) {
         MUS__REAL way[3], middle[3], d2 = 0, out = 0;
         for (int64_t d = 0; d < 3; d++) {
@@ -216,6 +193,7 @@ static int32_t MUS__NAME(self_bounds_enforce)(mus__self_contact *self, MUS__REAL
             v[d * n + i] -= slower * way[d];
             force[d * n + i] -= inverse[i] > 0 ? slower * way[d] / inverse[i] : 0;
         }
+        off[i] = MUS__NAME(self_travel2)(n, i, since, bound, w, x);
         self->held++;
     }
     return 1;

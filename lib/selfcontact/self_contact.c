@@ -135,6 +135,26 @@ static mus_status self_order(mus__self_contact *self)
 }
 
 
+/* memory for so many pairs, in place of what there was */
+static mus_status self_take_pairs(mus__self_contact *self, int64_t capacity)
+{
+    const int64_t blocks = capacity / 32 + 1;
+    mus__self_pair *pair = mus__new(self->context, capacity, sizeof *pair);
+    mus__self_active *active = mus__new(self->context, capacity, sizeof *active);
+    int32_t *node = mus__new(self->context, 128 * blocks, sizeof *node);
+    float *idle2 = mus__new(self->context, 32 * blocks, sizeof *idle2);
+    uint32_t *pressed = mus__new(self->context, blocks, sizeof *pressed);
+    const bool taken = pair != NULL && active != NULL && node != NULL && idle2 != NULL && pressed != NULL;
+    void *spare[] = {taken ? self->pair : pair, taken ? self->active : active, taken ? self->idle_node : node,
+                     taken ? self->idle2 : idle2, taken ? self->pressed : pressed};
+    for (size_t i = 0; i < sizeof spare / sizeof spare[0]; i++) mus__free(self->context, spare[i]);
+    if (!taken) return mus__fail_memory(self->context, "the pairs of cloth near cloth");
+    self->pair = pair, self->active = active, self->idle_node = node, self->idle2 = idle2, self->pressed = pressed;
+    self->pair_capacity = (int32_t)capacity;
+    return MUS_OK;
+}
+
+
 /* the arrays, the grid and the trees, all zeros */
 static mus_status self_allocate(mus__self_contact *self)
 {
@@ -166,9 +186,7 @@ static mus_status self_allocate(mus__self_contact *self)
                   {&self->rank, nodes, 1},
                   {&self->last_rank, nodes, 1},
                   {&self->crossed, nodes, 1},
-                  {&self->pass, nodes, 1},
-                  {&self->pair, self->pair_capacity, sizeof *self->pair},
-                  {&self->active, self->pair_capacity, sizeof *self->active}};
+                  {&self->pass, nodes, 1}};
     mus_status status = mus__box_grid_create(context, flat->ntriangle, &self->grid);
     if (status == MUS_OK) status = mus__box_tree_create(context, 1, flat->nodes, &self->corners);
     if (status == MUS_OK) status = mus__box_tree_create(context, 2, 3 * flat->ntriangle, &self->edges);
@@ -178,7 +196,7 @@ static mus_status self_allocate(mus__self_contact *self)
         memcpy(arrays[i].array, &block, sizeof block);
         if (block == NULL) status = mus__fail_memory(context, "a cloth's contact with itself");
     }
-    return status;
+    return status == MUS_OK ? self_take_pairs(self, self->pair_capacity) : status;
 }
 
 
@@ -223,7 +241,8 @@ void mus__self_contact_destroy(mus__self_contact *self)
                       self->seam_thick,  self->thick_max, self->bound,       self->list_home, self->drift,
                       self->stale,       self->travel2,   self->active_node, self->at,        self->force,
                       self->before_body, self->support,   self->rank,        self->last_rank, self->crossed,
-                      self->pass,        self->pair,      self->active};
+                      self->pass,        self->pair,      self->active,      self->idle_node, self->idle2,
+                      self->pressed};
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) mus__free(context, blocks[i]);
     mus__free(context, self);
 }
@@ -345,18 +364,8 @@ mus_status mus__self_contact_grow(mus__self_contact *self)
         return mus__fail(self->context, MUS_ERR_LIMIT,
                          "drape: more than %d pairs of cloth and cloth are nearer than %g mm; the cloth is crumpled",
                          (int)self->pair_capacity, 1e3 * self->thickness);
-    mus__self_pair *pair = mus__new(self->context, capacity, sizeof *pair);
-    mus__self_active *active = mus__new(self->context, capacity, sizeof *active);
-    if (pair == NULL || active == NULL) {
-        mus__free(self->context, pair);
-        mus__free(self->context, active);
-        return mus__fail_memory(self->context, "the pairs of cloth near cloth");
-    }
-    mus__free(self->context, self->pair);
-    mus__free(self->context, self->active);
-    self->pair = pair;
-    self->active = active;
-    self->pair_capacity = (int32_t)capacity;
+    const mus_status status = self_take_pairs(self, capacity);
+    if (status != MUS_OK) return status;
     self->npair = self->nactive = self->nnode_pair = 0;
     self->full = 0;
     self->invalid = 1;

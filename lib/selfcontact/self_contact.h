@@ -24,10 +24,10 @@
  *    when it is older than it was made for, or in part, for the nodes that have used up their margin.
  * 2. pair_distance_kernel.h, displacement_bound_kernel.h: the distances of the pairs in the list, and from them the
  *    displacement bounds; made anew when a node comes to the end of its bound.
- * 3. self_response_kernel.h: pairs that may be nearer than the thickness are active and answer every call: impulses
- *    that end their approach, friction of up to mu times these, and a push apart. Each starts from the impulses of the
- *    last call (warm start; Catto 2006), so that a steady load is carried after some calls however many pairs share it,
- *    and friction holds what it can.
+ * 3. active_pairs_kernel.h, self_response_kernel.h: pairs that may be nearer than the thickness are active and answer
+ *    every call: impulses that end their approach, friction of up to mu times these, and a push apart. Each starts from
+ *    the impulses of the last call (warm start; Catto 2006), so that a steady load is carried after some calls however
+ *    many pairs share it, and friction holds what it can.
  *
  * self_contact.c holds the memory and the mesh; crossing_count.c counts exactly what goes through what.
  *

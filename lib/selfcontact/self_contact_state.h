@@ -21,7 +21,6 @@ typedef struct mus__self_active { /* a pair that answers calls, from bounds to b
     float thickness;     /* [m] */
     float impulse;       /* along the normal in the last call [N s] */
     float tangential[3]; /* that of friction, on its first thing [N s] */
-    float idle2;         /* while no node has travelled this far (squared), its things do not touch [m2] */
 } mus__self_active;
 
 /* the mesh at rest */
@@ -47,7 +46,6 @@ typedef struct mus__self_contact {
     double margin;                /* a node may travel so far from its list home until it is listed anew [m] */
     double list_age, list_span;   /* age of the list, and the age that it was made for [s] */
     double bound_age, bound_span; /* the same of the bounds [s] */
-    double travel2_max;           /* largest of travel2 [m2] */
     double mean[3];               /* mean drift [m/s] */
     int32_t drifts;               /* nonzero: any node has a drift */
     int32_t invalid;              /* nonzero: places were changed from outside; list and bounds are made anew */
@@ -63,7 +61,7 @@ typedef struct mus__self_contact {
     float *seam_thick;         /* (nodes) at seams half the least height of a triangle; else the thickness [m] */
     float *thick_max;          /* (nodes) bound of its pairs' thickness: that of the drape, less after a yield [m] */
     void *bound;               /* (4 n) place of the last measurement (3 planes), squared bound */
-    void *travel2;             /* (n) squared distance from there, in a call [m2] */
+    void *travel2;             /* (n) squared distance from there, where the bound has drifted to [m2] */
     void *list_home;           /* (3 n) place when the list was made */
     void *drift;               /* (3 n) velocities with which bounds and homes move [m/s] */
     void *force;               /* (3 n) impulses since the caller cleared them [N s] */
@@ -78,10 +76,14 @@ typedef struct mus__self_contact {
                                 * propagation); MUS__RANK_NONE: nothing supports it */
     void *support;             /* (3 n) unit vector from what supports it */
     int32_t nnode_pair, npair, nactive;
+    int32_t nnode_active; /* active pairs of a node and a triangle, which stand first */
     int32_t pair_capacity;
     mus__self_pair
         *pair;       /* (pair_capacity) nnode_pair of a node and a triangle from the front, of two edges from the end */
     mus__self_active *active; /* (pair_capacity) the active pairs, in the order of the list */
+    uint32_t *pressed;        /* (pair_capacity bits) of the active pairs: gave an impulse in the last call */
+    int32_t *idle_node;       /* (4 pair_capacity) their nodes, of 32 pairs the first ones, the second ones, ... */
+    float *idle2; /* (pair_capacity) their things do not touch while no node has travelled this far, squared [m2] */
     mus__box_grid grid;
 
     /* counts since create */

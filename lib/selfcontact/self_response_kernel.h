@@ -42,6 +42,7 @@
 
 #include "selfcontact/pair_distance_kernel.h"
 #include "selfcontact/neighbour_list_kernel.h"
+#include "selfcontact/active_pairs_kernel.h"
 #include "selfcontact/displacement_bound_kernel.h"
 
 
@@ -170,10 +171,8 @@ static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS
             x[at] += moved * move[d];
             force[at] += weight * impulse[d];
         }
-        const MUS__REAL off2 =
+        off[pair->node[i]] =
             MUS__NAME(self_travel2)(n, pair->node[i], (MUS__REAL)self->bound_age, self->bound, self->drift, x);
-        off[pair->node[i]] = off2;
-        if (off2 > (MUS__REAL)self->travel2_max) self->travel2_max = (double)off2;
     }
 }
 
@@ -268,16 +267,6 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
 }
 
 
-/* nonzero when a node of a pair has travelled so far that its things may touch */
-static inline int32_t MUS__NAME(self_pair_may_touch)(const mus__self_contact *self, const mus__self_active *active)
-{
-    const MUS__REAL *off = self->travel2, idle2 = (MUS__REAL)active->idle2;
-    const int32_t *node = active->node;
-    if ((MUS__REAL)self->travel2_max < idle2) return 0;
-    return !((off[node[0]] < idle2) & (off[node[1]] < idle2) & (off[node[2]] < idle2) & (off[node[3]] < idle2));
-}
-
-
 /* answers the pairs that are asked (count, all of one kind), one after the other; those that gave no impulse in the
  * last call are measured as a packet first, and most are out of reach */
 static void MUS__NAME(self_respond_packet)(mus__self_contact *self, const mus__self_rule *rule,
@@ -293,8 +282,9 @@ static void MUS__NAME(self_respond_packet)(mus__self_contact *self, const mus__s
         MUS__NAME(self_packet_edge_edge)(p, weight, apart);
     for (int32_t i = 0; i < count; i++) {
         const MUS__REAL reach = (MUS__REAL)(1.0 + MUS__REST_BAND) * (MUS__REAL)asked[i]->thickness;
-        if (asked[i]->impulse > 0 || apart[i] < reach)
-            MUS__NAME(self_pair_respond)(self, rule, inverse, asked[i], x, v);
+        if (!(asked[i]->impulse > 0 || apart[i] < reach)) continue;
+        MUS__NAME(self_pair_respond)(self, rule, inverse, asked[i], x, v);
+        MUS__NAME(self_active_press)(self, asked[i]);
     }
     self->responses += count;
 }
@@ -304,24 +294,28 @@ static void MUS__NAME(self_respond_pairs)(mus__self_contact *self, const mus__se
                                           MUS__REAL *x, MUS__REAL *v)
 {
     self->close = 0;
-    self->travel2_max = (double)MUS__NAME(self_travel2_all)(self->n, self->nodes, (MUS__REAL)self->bound_age,
-                                                            self->bound, self->drift, x, self->travel2);
-    mus__self_active *const end = self->active + self->nactive;
-    for (mus__self_active *active = self->active; active < end; active++)
-        if (active->impulse > 0) MUS__NAME(self_pair_warm_start)(self, rule, inverse, active, x, v);
+    for (int32_t block = 0; 32 * block < self->nactive; block++)
+        for (uint32_t left = self->pressed[block]; left != 0; left &= left - 1) {
+            mus__self_active *active = &self->active[32 * block + mus__box_tree_lowest(left)];
+            MUS__NAME(self_pair_warm_start)(self, rule, inverse, active, x, v);
+        }
 
-    /* a pair that gave no impulse in the last call and cannot touch in this one is not asked. Pairs of a node and a
-     * triangle stand first */
+    /* in the order of the list, pairs of a node and a triangle first; an answer may wake later pairs */
     mus__self_active *asked[MUS__SELF_LANES];
     int32_t count = 0;
-    for (mus__self_active *active = self->active; active < end; active++) {
-        if (!(active->impulse > 0) && !MUS__NAME(self_pair_may_touch)(self, active)) continue;
-        const bool other = count > 0 && (active->pair < self->nnode_pair) != (asked[0]->pair < self->nnode_pair);
-        if (other || count == MUS__SELF_LANES) {
-            MUS__NAME(self_respond_packet)(self, rule, inverse, asked, count, x, v);
-            count = 0;
+    for (int32_t block = 0; 32 * block < self->nactive; block++) {
+        uint32_t left = MUS__NAME(self_asked)(self, block);
+        while (left != 0) {
+            const int32_t k = mus__box_tree_lowest(left), at = 32 * block + k;
+            const bool other = count > 0 && at >= self->nnode_active && asked[0] < self->active + self->nnode_active;
+            if (other || count == MUS__SELF_LANES) {
+                MUS__NAME(self_respond_packet)(self, rule, inverse, asked, count, x, v);
+                left = MUS__NAME(self_asked)(self, block);
+                count = 0;
+            }
+            asked[count++] = &self->active[at];
+            left &= ~(uint32_t)1 << k;
         }
-        asked[count++] = active;
     }
     if (count > 0) MUS__NAME(self_respond_packet)(self, rule, inverse, asked, count, x, v);
 }
@@ -340,6 +334,8 @@ void MUS__NAME(self_contact_pass)(mus__self_contact *self, const mus__self_rule 
 {
     self->bound_age += rule->step;
     self->list_age += rule->step;
+    MUS__NAME(self_travel2_all)
+    (self->n, self->nodes, (MUS__REAL)self->bound_age, self->bound, self->drift, x, self->travel2);
     int32_t turn = MUS__NAME(self_bounds_enforce)(self, (MUS__REAL)rule->step, inverse, x, v);
     turn |= self->bound_age + rule->step > self->bound_span;
     if (self->nactive > 0) {

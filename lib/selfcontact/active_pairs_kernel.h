@@ -1,11 +1,12 @@
 /*
  * active_pairs_kernel.h: which active pairs are asked in a call, a part of self_response_kernel.h.
  *
- * Most active pairs are idle: they gave no impulse in the last call, and none of their nodes has travelled as far since
- * the bounds were made as it must for the two things to touch. That is all that is asked of them, of 32 at a time.
+ * Most active pairs are idle: they gave no impulse in the last call, and since the bounds were made none of their nodes
+ * has moved far enough for the two things to touch. An idle pair costs that one comparison, and 32 pairs are compared
+ * at a time. For its sake their nodes are kept in planes too, beside each other.
  */
 
-/* makes a pair active: k its number, idle2 the squared way of a node until which its things do not touch */
+/* makes pair k active. Its things do not touch while no node of it has moved further than the root of idle2 [m2] */
 static inline void MUS__NAME(self_active_add)(mus__self_contact *self, int32_t k, float idle2)
 {
     const mus__self_pair *pair = &self->pair[k];
@@ -32,7 +33,7 @@ static inline void MUS__NAME(self_active_press)(mus__self_contact *self, const m
 }
 
 
-/* of 32 pairs, with their four nodes in planes, those that may touch: a node has travelled far enough */
+/* the pairs, of 32 with their four nodes in planes, that may touch because a node has moved far enough: one bit each */
 MUS_CLONES
 static uint32_t MUS__NAME(self_may_touch)(const int32_t *restrict node, const float *restrict idle2,
                                           const MUS__REAL *restrict travel2)
@@ -48,7 +49,7 @@ static uint32_t MUS__NAME(self_may_touch)(const int32_t *restrict node, const fl
 }
 
 
-/* of the 32 active pairs of a block those that are asked as the cloth lies now */
+/* the active pairs of a block of 32 that are asked, with the nodes where they are now: one bit each */
 static inline uint32_t MUS__NAME(self_asked)(const mus__self_contact *self, int32_t block)
 {
     const int32_t left = self->nactive - 32 * block;

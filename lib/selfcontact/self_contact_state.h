@@ -83,7 +83,7 @@ typedef struct mus__self_contact {
     mus__self_active *active; /* (pair_capacity) the active pairs, in the order of the list */
     uint32_t *pressed;        /* (pair_capacity bits) of the active pairs: gave an impulse in the last call */
     int32_t *idle_node;       /* (4 pair_capacity) their nodes, of 32 pairs the first ones, the second ones, ... */
-    float *idle2; /* (pair_capacity) their things do not touch while no node has travelled this far, squared [m2] */
+    float *idle2; /* (pair_capacity) their things do not touch while no node has moved this far, squared [m2] */
     mus__box_grid grid;
 
     /* counts since create */

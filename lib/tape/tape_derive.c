@@ -4,11 +4,15 @@
  * Most are linear in those four: regressions on the public ANSUR II survey (US Army, 2012: 6068 people) and rules of
  * size tables of the clothing trade; the coefficients are in cm, as in their sources. Women, men and children have
  * their own lines; an unset sex takes the mean of women and men. Any two of rise, inside leg and waist height give the
- * third. Where a derived value would contradict a given one, the derived one is changed.
+ * third. Where a derived value would contradict a given one, the derived one is changed. Arms hang at 45 degrees, or
+ * stand off the side of a stout person so far that cloth passes between.
  */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "tape/tape_internal.h"
+
+#define TAPE_PI 3.14159265358979323846
 
 /* constant, and factors of stature, bust, waist, hip [cm] */
 typedef struct tape_line {
@@ -52,6 +56,12 @@ static const tape_rule tape_rules[] = {
  * deviation from such a line is 2.3 cm (women) and 2.6 cm (men) */
 static const double tape_crotch[3][3] = {{-1.7, 1.764, .236}, {-6.3, 1.839, .278}, {-1.0, 1.721, .247}};
 static const double tape_crotch_deviation[2] = {2.3, 2.6}; /* [cm] */
+
+/* half breadth of the trunk at the bust, in parts of its girth: that of the contours of torso.c, 0.177 to 0.179 */
+#define TAPE_TRUNK 0.18
+/* [m] between arm and side, at least; chosen: two layers of cloth with their clearances on both sides pass, and every
+ * size of the tables hangs its arms at 45 degrees (of W52 and C80, which are nearest to it, 27 mm are left) */
+#define TAPE_ARM_CLEAR 0.02
 
 #define TAPE_RULE_COUNT ((int)(sizeof tape_rules / sizeof *tape_rules))
 
@@ -103,8 +113,8 @@ double mus__tape_predict(const mus_tape *tape, int32_t measure, double *deviatio
     double h = 100.0 * tape->value[MUS_MEASURE_STATURE];
     if (child && measure == MUS_MEASURE_BACK_WAIST) return 0.01 * tape_table(tape_child_back, h);
     if (child && measure == MUS_MEASURE_HEAD) return 0.01 * tape_table(tape_child_head, h);
-    if (measure == MUS_MEASURE_SHOULDER_SLOPE) return (child ? 21.0 : 22.0) * (3.14159265358979323846 / 180.0);
-    if (measure == MUS_MEASURE_ARM_ANGLE) return 45.0 * (3.14159265358979323846 / 180.0);
+    if (measure == MUS_MEASURE_SHOULDER_SLOPE) return (child ? 21.0 : 22.0) * (TAPE_PI / 180.0);
+    if (measure == MUS_MEASURE_ARM_ANGLE) return 45.0 * (TAPE_PI / 180.0);
     if (measure == MUS_MEASURE_CROTCH_LENGTH) {
         if (child) return tape_crotch_at(2, tape->value);
         *deviation = 0.01 * tape_mix(tape->sex, tape_crotch_deviation[0], tape_crotch_deviation[1]);
@@ -236,6 +246,23 @@ static void tape_derive_heights(mus_tape *tape)
 }
 
 
+/* the angle of the arms: an upper arm of radius r hangs from the shoulder joint, `up` [m] above the bust and `in` [m]
+ * within the side of the trunk there, less TAPE_ARM_CLEAR. Its lower side is off that place at the angle d below the
+ * horizontal where in sin d - up cos d = -r. The joint is that of skeleton.c, without the breadth of the acromion */
+static void tape_derive_arm_angle(mus_tape *tape)
+{
+    const double *v = tape->value;
+    double slope = v[MUS_MEASURE_SHOULDER_SLOPE], shoulder = v[MUS_MEASURE_SHOULDER], deviation;
+    const double r = v[MUS_MEASURE_UPPER_ARM] / (2.0 * TAPE_PI);
+    const double x = v[MUS_MEASURE_NECK] / (2.0 * TAPE_PI) + shoulder * mus__cos(slope) - 0.36 * r;
+    const double up = v[MUS_MEASURE_NAPE_HEIGHT] - 0.0165 * v[MUS_MEASURE_STATURE] - shoulder * mus__sin(slope) -
+                      0.86 * r - v[MUS_MEASURE_BUST_HEIGHT];
+    const double in = TAPE_TRUNK * v[MUS_MEASURE_BUST] + TAPE_ARM_CLEAR - x, far = sqrt(in * in + up * up);
+    const double most = mus__tape_predict(tape, MUS_MEASURE_ARM_ANGLE, &deviation);
+    tape_put(tape, MUS_MEASURE_ARM_ANGLE, fmin(most, mus__atan2(up, in) - mus__asin(fmin(r / far, 1.0))));
+}
+
+
 void mus__tape_derive(mus_tape *tape)
 {
     /* unset the values of an earlier derivation */
@@ -265,11 +292,11 @@ void mus__tape_derive(mus_tape *tape)
         if (measure != MUS_MEASURE_RISE && measure != MUS_MEASURE_WAIST_HEIGHT) tape_put_predicted(tape, measure);
     }
     tape_put_predicted(tape, MUS_MEASURE_SHOULDER_SLOPE);
-    tape_put_predicted(tape, MUS_MEASURE_ARM_ANGLE);
     if (tape->sex == MUS_SEX_CHILD)
         tape_put(tape, MUS_MEASURE_ACROSS_FRONT, 0.97 * tape->value[MUS_MEASURE_ACROSS_BACK]);
     tape_put(tape, MUS_MEASURE_ELBOW, 0.58 * tape->value[MUS_MEASURE_ARM]);
     tape_derive_legs(tape);
     tape_derive_girths(tape);
     tape_derive_heights(tape);
+    tape_derive_arm_angle(tape);
 }

@@ -51,6 +51,38 @@ START_TEST(the_rest_pose_is_the_body)
 END_TEST
 
 
+/* in the pose that a body is made in, stout people too */
+START_TEST(arms_hang_clear_of_the_sides)
+{
+    mus_context *context = support_context();
+    uint64_t seed = 31;
+    for (int i = 0; i < 20; i++) {
+        mus_tape *tape = people_size(context, i % 2 == 0 ? "W40" : "M50");
+        const double bust = support_uniform(&seed, 0.85, 1.6), waist = support_uniform(&seed, 0.75, 1.0) * bust;
+        const struct {
+            int32_t measure;
+            double value;
+        } own[] = {{MUS_MEASURE_STATURE, support_uniform(&seed, 1.48, 2.0)},
+                   {MUS_MEASURE_BUST, bust},
+                   {MUS_MEASURE_WAIST, waist},
+                   {MUS_MEASURE_HIP, fmax(waist, support_uniform(&seed, 0.95, 1.1) * bust)}};
+        for (size_t k = 0; k < sizeof own / sizeof *own; k++)
+            ck_assert_int_eq(mus_tape_set(tape, own[k].measure, own[k].value, MUS_SOURCE_GIVEN), MUS_OK);
+        mus_body *body = NULL;
+        mus_pose rest, clear;
+        ck_assert_int_eq(mus_body_create(context, tape, NULL, &body), MUS_OK);
+        ck_assert_int_eq(mus_body_rest_pose(body, &rest), MUS_OK);
+        clear = rest;
+        ck_assert_int_eq(mus_body_clear_arms(body, &clear, 0.03), MUS_OK);
+        ck_assert_msg(memcmp(&clear, &rest, sizeof rest) == 0, "bust %.3f, stature %.3f", bust, own[0].value);
+        mus_body_destroy(body);
+        mus_tape_destroy(tape);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a pose within the limits of all joints */
 static void random_pose(uint64_t *seed, mus_pose *pose)
 {
@@ -551,6 +583,7 @@ Suite *mus_suite_body_pose(void)
     TCase *tests = tcase_create("body_pose");
     tcase_set_timeout(tests, 120);
     tcase_add_test(tests, the_rest_pose_is_the_body);
+    tcase_add_test(tests, arms_hang_clear_of_the_sides);
     tcase_add_test(tests, girths_are_those_of_the_rest_pose);
     tcase_add_test(tests, wrists_and_ankles_are_where_a_chain_by_hand_ends);
     tcase_add_test(tests, the_pelvis_tilts_where_hips_flex_more_than_their_share);

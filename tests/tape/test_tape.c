@@ -176,6 +176,36 @@ START_TEST(heights_of_nape_and_bust_follow_the_tape)
 END_TEST
 
 
+/* the arms of all sizes hang at 45 degrees; those of a stouter person stand farther off */
+START_TEST(arms_stand_off_the_side_of_a_stout_person)
+{
+    mus_context *context = support_context();
+    const double degree = 3.14159265358979323846 / 180.0;
+    const char *const sizes[] = {"W34", "W52", "M46", "M60", "C56", "C80", "C164"};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        mus_tape *tape = new_tape(context, sizes[i]);
+        ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+        ck_assert_double_eq_tol(mus_tape_value(tape, MUS_MEASURE_ARM_ANGLE), 45.0 * degree, 1e-12);
+        mus_tape_destroy(tape);
+    }
+    double last = 45.0 * degree;
+    for (double bust = 0.8; bust < 1.8; bust += 0.05) {
+        mus_tape *tape = new_tape(context, "W40");
+        ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_STATURE, 1.5, MUS_SOURCE_GIVEN), MUS_OK);
+        ck_assert_int_eq(mus_tape_set(tape, MUS_MEASURE_BUST, bust, MUS_SOURCE_GIVEN), MUS_OK);
+        ck_assert_int_eq(mus_tape_complete(tape), MUS_OK);
+        const double angle = mus_tape_value(tape, MUS_MEASURE_ARM_ANGLE);
+        ck_assert_double_le(angle, last);
+        ck_assert_double_ge(angle, 0.175); /* the least that mus_tape_set() takes */
+        mus_tape_destroy(tape);
+        last = angle;
+    }
+    ck_assert_double_lt(last, 25.0 * degree);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_copy_is_alike_and_apart)
 {
     mus_context *context = support_context();
@@ -269,6 +299,7 @@ Suite *mus_suite_tape(void)
     tcase_add_test(tests, an_unset_sex_is_the_mean_of_women_and_men);
     tcase_add_test(tests, two_of_rise_inside_leg_and_waist_height_give_the_third);
     tcase_add_test(tests, heights_of_nape_and_bust_follow_the_tape);
+    tcase_add_test(tests, arms_stand_off_the_side_of_a_stout_person);
     tcase_add_test(tests, a_copy_is_alike_and_apart);
     tcase_add_test(tests, names_are_kept_up_to_63_bytes);
     tcase_add_test(tests, sentences_do_not_follow_the_locale);

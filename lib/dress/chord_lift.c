@@ -24,6 +24,9 @@
 #define LIFT_COARSEST 0.05
 /* least share of a lift that raises a sample: a lift is at most four times what a sample lacks */
 #define LIFT_ACROSS 0.25
+/* cosine of the normals of surfaces that face each other: a node that is lifted between them is pinched, as contact has
+ * it (contact/pinch_kernel.h), and does not come to rest */
+#define LIFT_FACING -0.5
 #define LIFT_PARTS 4 /* of a triangle's side: samples are the points of this lattice but its corners */
 
 
@@ -95,7 +98,7 @@ static bool lift_pinched(const mus_drape *drape, const double *p, double reach)
     const int32_t count = mus__collider_touching(drape->scene.collider, p, reach, normal, friction);
     for (int32_t i = 0; i < count; i++)
         for (int32_t j = 0; j < i; j++)
-            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < 0.0) return true;
+            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < LIFT_FACING) return true;
     return false;
 }
 
@@ -162,7 +165,7 @@ mus_status mus__chord_lift_begin(mus_drape *drape)
 }
 
 
-double mus__chord_lift(mus_drape *drape, const double *x, bool thin)
+double mus__chord_lift(mus_drape *drape, const double *x, bool thin, bool rest)
 {
     mus__chord_lift_data *data = &drape->chord_lift;
     const double margin = drape->def.clearance + LIFT_MOST;
@@ -175,6 +178,7 @@ double mus__chord_lift(mus_drape *drape, const double *x, bool thin)
         if (data->lack[i] > 0.0) need = fmin(fmax(off + data->lack[i], now), LIFT_MOST);
         if (need > 0.0 && lift_pinched(drape, x + 3 * (int64_t)i, drape->def.clearance + need)) need = 0.0;
         if (data->around[i] < -MUS__LIFT_CLEAR) need = fmin(now, fmax(off + data->around[i], 0.0));
+        if (rest) need = fmax(need, now);
         change = fmax(change, need - now);
         /* its plane is asked for anew */
         if (need != now && drape->plane_cache != NULL)

@@ -17,8 +17,8 @@ mus_status mus__chord_lift_create(mus_drape *drape);
 /* the same with the lifts of a cloth that lies already, so that no node comes nearer to the skin than its triangles
  * allow */
 mus_status mus__chord_lift_begin(mus_drape *drape);
-/* takes the lifts anew at places x (n x 3, of representatives); thin: from parts with free ends alone, hands and feet.
- * Returns the largest rise [m] */
-double mus__chord_lift(mus_drape *drape, const double *x, bool thin);
+/* takes the lifts anew at places x (n x 3, of representatives); thin: from parts with free ends alone, hands and feet;
+ * rest: the cloth lies at rest, and no lift falls, so that it comes to rest again. Returns the largest rise [m] */
+double mus__chord_lift(mus_drape *drape, const double *x, bool thin, bool rest);
 
 #endif

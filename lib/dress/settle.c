@@ -82,7 +82,9 @@
 
 #define REST_DRIFT 0.002 /* [m/s] drift at rest */
 #define GIVE_DRIFT 0.02  /* [m/s] below it thickness may yield; faster, springs press through the cloth that is left */
-#define LIFT_SECONDS 1.5 /* [s] of cloth time after the fall in which lifts are taken anew: then cloth lies nearly */
+/* [s] of cloth time after the fall in which lifts are taken anew at each check: then cloth lies nearly, and they are
+ * taken where it would be at rest */
+#define LIFT_SECONDS 1.5
 #define ROUNDING_DRIFT 0.25 /* of the drift allowed, by the rule of rounding */
 
 /* a coarse cut gives the place, not the folds */
@@ -254,8 +256,9 @@ static void choose_safety(const mus_drape *drape, const settling *goal, double t
  * than what a triangle is to be off the skin: the cloth is not at rest then */
 static bool lift_nodes(mus_drape *drape, const settling *goal, double t)
 {
-    if (drape->sim.lift == NULL || t > goal->fall + LIFT_SECONDS) return false;
-    const double rise = mus__chord_lift(drape, drape->relax.mean, goal->residual >= ROUGH_RESIDUAL);
+    const bool rest = t > goal->fall + LIFT_SECONDS, thin = goal->residual >= ROUGH_RESIDUAL;
+    if (drape->sim.lift == NULL || (rest && !drape->relax.settled)) return false;
+    const double rise = mus__chord_lift(drape, drape->relax.mean, thin, rest);
     return rise > MUS__LIFT_CLEAR;
 }
 

@@ -19,7 +19,7 @@
 #include "geom/vec.h"
 
 #define PANEL_FAN_WIDE 1.9      /* [rad] wider fans are folded; this and all below: chosen */
-#define PANEL_FAN_TO 1.75       /* [rad] from side to side after folding */
+#define PANEL_FAN_TO 1.75       /* [rad] from side to side after folding, at most */
 #define PANEL_FAN_FOLD 0.8      /* [rad] of the fan to a fold */
 #define PANEL_FAN_FLAT 0.98     /* length of the mean normal: that of a flat panel is 1 */
 #define PANEL_FAN_SIDE 0.1      /* [m] shortest side */
@@ -40,6 +40,7 @@ typedef struct fan_side {
 typedef struct fan_shape {
     double apex[3], middle[3], aside[3], out[3]; /* frame: middle and aside in the plane */
     double half;                                 /* angle from the middle to a side */
+    double to;                                   /* angle from side to side after folding */
     double length;                               /* of both sides [m] */
 } fan_shape;
 
@@ -106,6 +107,21 @@ static bool fan_free(const mus__placed_cloth *placed, int32_t p, const fan_shape
 }
 
 
+/* the angle from side to side after folding. A fan on one leg, whose inner ends both lie on one side of the middle
+ * plane, stays on that side: between its sides, which are sewn to those of another panel, it would hold the other leg */
+static double fan_to(const mus__placed_cloth *placed, int32_t p, const fan_shape *fan, bool beside)
+{
+    const mus__panel_mesh *mesh = &placed->cloth->panel[p];
+    double most = 0.0, far;
+    if (!beside) return PANEL_FAN_TO;
+    for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
+        fan_angle(fan, placed->x + 3 * (int64_t)i, &far);
+        most = fmax(most, far);
+    }
+    return fmin(PANEL_FAN_TO, 2.0 * mus__asin(fmin(fabs(fan->apex[0]) / most, 1.0)));
+}
+
+
 /* the fan between two sides of panel p; false where they do not hold all of it between them, its hem is sewn, or it is
  * not wide */
 static bool fan_between(const mus__placed_cloth *placed, int32_t p, const fan_side *one, const fan_side *two,
@@ -153,10 +169,13 @@ static bool fan_between(const mus__placed_cloth *placed, int32_t p, const fan_si
     fan->length = one->way + two->way;
     if (!(2.0 * fan->half > PANEL_FAN_WIDE)) return false;
     if (!fan_free(placed, p, fan, one, two, back + PANEL_FAN_SEWN * fmin(one->way, two->way))) return false;
+    /* no node is half as near to the apex as an arc, or a straight edge, between the inner ends */
+    const double straight = mus__cos(fan->half), hole = 0.5 * back * (straight > 0.0 ? straight : 1.0);
     for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
         const double beyond = fabs(fan_angle(fan, placed->x + 3 * (int64_t)i, &far)) - fan->half;
-        if (far < 0.5 * back || beyond > PANEL_FAN_BESIDE) return false;
+        if (far < hole || beyond > PANEL_FAN_BESIDE) return false;
     }
+    fan->to = fan_to(placed, p, fan, in[0][0] * in[1][0] > 0.0);
     return true;
 }
 
@@ -182,16 +201,16 @@ static bool fan_find(const mus__placed_cloth *placed, int32_t p, fan_shape *fan)
 }
 
 
-/* arc length of the curve of n folds of height `fold` at equal steps of s: way (PANEL_FAN_STEPS + 1); returns its end
- */
-static double fan_curve(int32_t n, double fold, double *way)
+/* arc length of the curve of n folds of height `fold` at equal steps of s, `to` wide: way (PANEL_FAN_STEPS + 1);
+ * returns its end */
+static double fan_curve(int32_t n, double to, double fold, double *way)
 {
     const double step = 1.0 / PANEL_FAN_STEPS;
     way[0] = 0.0;
     for (int32_t i = 0; i < PANEL_FAN_STEPS; i++) {
         const double s = 2.0 * MUS_PI * n * (i + 0.5) * step;
         const double out = 0.5 * fold * (1.0 - mus__cos(s)), rise = MUS_PI * n * fold * mus__sin(s),
-                     turn = PANEL_FAN_TO * mus__cos(out);
+                     turn = to * mus__cos(out);
         way[i + 1] = way[i] + step * sqrt(turn * turn + rise * rise);
     }
     return way[PANEL_FAN_STEPS];
@@ -206,12 +225,12 @@ static void fan_fold(const mus__placed_cloth *placed, int32_t p, const fan_shape
     double way[PANEL_FAN_STEPS + 1], low = 0.0, high = 1.5;
     for (int32_t i = 0; i < 50; i++) {
         const double fold = 0.5 * (low + high);
-        if (fan_curve(n, fold, way) < 2.0 * fan->half)
+        if (fan_curve(n, fan->to, fold, way) < 2.0 * fan->half)
             low = fold;
         else
             high = fold;
     }
-    const double all = fan_curve(n, low, way);
+    const double all = fan_curve(n, fan->to, low, way);
     for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
         double *x = placed->x + 3 * (int64_t)i, far;
         const double angle = fan_angle(fan, x, &far);
@@ -219,7 +238,7 @@ static void fan_fold(const mus__placed_cloth *placed, int32_t p, const fan_shape
         int32_t k = 0;
         while (k < PANEL_FAN_STEPS - 1 && way[k + 1] < want) k++;
         const double s = (k + (want - way[k]) / (way[k + 1] - way[k])) / PANEL_FAN_STEPS;
-        const double a = PANEL_FAN_TO * (s - 0.5), b = 0.5 * low * (1.0 - mus__cos(2.0 * MUS_PI * n * s));
+        const double a = fan->to * (s - 0.5), b = 0.5 * low * (1.0 - mus__cos(2.0 * MUS_PI * n * s));
         for (int32_t d = 0; d < 3; d++)
             x[d] = fan->apex[d] + far * (mus__cos(b) * (mus__cos(a) * fan->middle[d] + mus__sin(a) * fan->aside[d]) +
                                          mus__sin(b) * fan->out[d]);

@@ -16,16 +16,18 @@ Suite *mus_suite_arrange_prefold(void);
 
 #define ARC 24
 
-/* part of a ring round (0, 0), `angle` wide about the way down, from radius `inner` to `outer`; edge (3) gets its
- * sides, both outward, and a part of its hem */
+/* part of a ring round (0, 0), `angle` wide about the way down, from radius `inner` to `outer`, whose inner edge is an
+ * arc or, with `straight`, its chord; edge (3) gets its sides, both outward, and a part of its hem */
 static int32_t flare_ring(mus_pattern *pattern, const char *name, double angle, double inner, double outer,
-                          int32_t *edge)
+                          bool straight, int32_t *edge)
 {
     int32_t panel, point[2 * ARC + 2], all[2 * ARC + 2], forward[2 * ARC + 2];
     const int32_t n = 2 * ARC + 2;
     ck_assert_int_eq(mus_pattern_add_panel(pattern, name, &panel), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
-        const double r = i <= ARC ? outer : inner, part = (double)(i <= ARC ? i : n - 1 - i) / ARC - 0.5;
+        const double part = (double)(i <= ARC ? i : n - 1 - i) / ARC - 0.5;
+        const double chord = inner * cos(0.5 * angle) / cos(part * angle);
+        const double r = i <= ARC ? outer : straight ? chord : inner;
         const double x = r * sin(part * angle), y = -r * cos(part * angle);
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, x, y, &point[i]), MUS_OK);
         forward[i] = 1;
@@ -41,8 +43,10 @@ static int32_t flare_ring(mus_pattern *pattern, const char *name, double angle, 
 }
 
 
-/* a skirt of a front and a back, flat, 0.4 m apart, sewn at its sides, with `hem` at its hem too; with self_contact */
-static mus_drape *flare_skirt(mus_context *context, double angle, double inner, double outer, bool hem)
+/* a skirt of a front and a back, flat, 0.4 m apart, its middle at x = `aside`, sewn at its sides, with `hem` at its hem
+ * too; with self_contact */
+static mus_drape *flare_skirt(mus_context *context, double angle, double inner, double outer, bool straight,
+                              double aside, bool hem)
 {
     mus_pattern *pattern;
     mus_drape_def def;
@@ -50,10 +54,10 @@ static mus_drape *flare_skirt(mus_context *context, double angle, double inner, 
     int32_t edge[2][3];
     ck_assert_int_eq(mus_pattern_create(context, "skirt", &pattern), MUS_OK);
     for (int32_t i = 0; i < 2; i++) {
-        const int32_t panel = flare_ring(pattern, i == 0 ? "front" : "back", angle, inner, outer, edge[i]);
+        const int32_t panel = flare_ring(pattern, i == 0 ? "front" : "back", angle, inner, outer, straight, edge[i]);
         mus_placement place;
         mus_placement_init(&place, sizeof place);
-        place.origin[1] = 1.0, place.origin[2] = i == 0 ? 0.2 : -0.2;
+        place.origin[0] = aside, place.origin[1] = 1.0, place.origin[2] = i == 0 ? 0.2 : -0.2;
         if (i == 1) place.rotation[0] = place.rotation[8] = -1.0;
         ck_assert_int_eq(mus_pattern_set_placement(pattern, panel, &place), MUS_OK);
     }
@@ -77,7 +81,7 @@ START_TEST(wide_fans_hang_folded)
 {
     static const double angles[] = {2.0, MUS_PI, 4.5};
     mus_context *context = support_context();
-    mus_drape *drape = flare_skirt(context, angles[_i], 0.12, 0.7, false);
+    mus_drape *drape = flare_skirt(context, angles[_i], 0.12, 0.7, false, 0.0, false);
     int64_t crossings = -1;
     const mus__placed_cloth placed = mus__drape_placed(drape);
     ck_assert(mus__arrange_fans(&placed));
@@ -97,12 +101,33 @@ START_TEST(wide_fans_hang_folded)
 END_TEST
 
 
+/* flounces of one leg, with an arc or a straight edge along it: they hang on its side of the middle plane */
+START_TEST(fans_of_a_leg_stay_on_its_side)
+{
+    mus_context *context = support_context();
+    const double aside = _i % 2 == 0 ? 0.15 : -0.15;
+    mus_drape *drape = flare_skirt(context, 2.5, 0.155, 0.42, _i > 1, aside, false);
+    int64_t crossings = -1;
+    const mus__placed_cloth placed = mus__drape_placed(drape);
+    ck_assert(mus__arrange_fans(&placed));
+    mus__drape_push(drape);
+    mus__drape_publish(drape);
+    for (int32_t i = 0; i < drape->n; i++) ck_assert_double_ge(drape->x[3 * i] * aside, -1e-9);
+    ck_assert_double_le(mus__program_strain(&drape->program, drape->x), 0.05);
+    ck_assert_int_eq(mus_drape_crossings(drape, 0, NULL, &crossings), MUS_OK);
+    ck_assert_int_eq(crossings, 0);
+    mus_drape_destroy(drape);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a fan that is not wide, a waistband of a full circle, a fan whose hem is sewn: they stay, to the bit */
 START_TEST(others_start_flat)
 {
     mus_context *context = support_context();
     static const double angle[] = {1.5, MUS_PI, MUS_PI}, inner[] = {0.12, 0.5, 0.12}, outer[] = {0.7, 0.55, 0.7};
-    mus_drape *drape = flare_skirt(context, angle[_i], inner[_i], outer[_i], _i == 2);
+    mus_drape *drape = flare_skirt(context, angle[_i], inner[_i], outer[_i], false, 0.0, _i == 2);
     double *was = malloc(3 * (size_t)drape->n * sizeof *was);
     memcpy(was, drape->x, 3 * (size_t)drape->n * sizeof *was);
     const mus__placed_cloth placed = mus__drape_placed(drape);
@@ -121,7 +146,7 @@ START_TEST(one_try_is_one)
     mus_context *context = support_context();
     double time[2];
     for (int32_t once = 0; once < 2; once++) {
-        mus_drape *drape = flare_skirt(context, MUS_PI, 0.12, 0.7, false), *own;
+        mus_drape *drape = flare_skirt(context, MUS_PI, 0.12, 0.7, false, 0.0, false), *own;
         mus_drape_def def;
         mus_drape_def_init(&def, sizeof def);
         def.sew_once = once;
@@ -148,6 +173,7 @@ Suite *mus_suite_arrange_prefold(void)
     TCase *tests = tcase_create("arrange_fan");
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, wide_fans_hang_folded, 0, 3);
+    tcase_add_loop_test(tests, fans_of_a_leg_stay_on_its_side, 0, 4);
     tcase_add_loop_test(tests, others_start_flat, 0, 3);
     tcase_add_test(tests, one_try_is_one);
     suite_add_tcase(suite, tests);

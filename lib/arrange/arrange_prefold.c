@@ -108,7 +108,8 @@ static bool fan_free(const mus__placed_cloth *placed, int32_t p, const fan_shape
 
 
 /* the angle from side to side after folding. A fan on one leg, whose inner ends both lie on one side of the middle
- * plane, stays on that side: between its sides, which are sewn to those of another panel, it would hold the other leg */
+ * plane, stays on that side: its sides are sewn to those of another panel, and the other leg would stand between them
+ */
 static double fan_to(const mus__placed_cloth *placed, int32_t p, const fan_shape *fan, bool beside)
 {
     const mus__panel_mesh *mesh = &placed->cloth->panel[p];

@@ -170,7 +170,7 @@ static bool fan_between(const mus__placed_cloth *placed, int32_t p, const fan_si
     fan->length = one->way + two->way;
     if (!(2.0 * fan->half > PANEL_FAN_WIDE)) return false;
     if (!fan_free(placed, p, fan, one, two, back + PANEL_FAN_SEWN * fmin(one->way, two->way))) return false;
-    /* no node is half as near to the apex as an arc, or a straight edge, between the inner ends */
+    /* each node is at least half as far from the apex as the arc, or the chord, between the inner ends */
     const double straight = mus__cos(fan->half), hole = 0.5 * back * (straight > 0.0 ? straight : 1.0);
     for (int32_t i = mesh->first_node; i < mesh->first_node + mesh->node_count; i++) {
         const double beyond = fabs(fan_angle(fan, placed->x + 3 * (int64_t)i, &far)) - fan->half;

@@ -13,6 +13,9 @@
 
 #include "contact/collider.h"
 
+/* cosine of the normals of two surfaces that face each other, and pinch a node between them: 120 degrees; chosen */
+#define MUS__PINCH_FACING -0.5
+
 typedef struct mus__contact_rule {
     double clearance;    /* gap kept between node and skin [m] */
     double friction;     /* coefficient */

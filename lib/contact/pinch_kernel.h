@@ -6,7 +6,6 @@
  * node out instead; its work is at most that pull times the way.
  */
 
-#define MUS__PINCH_FACING -0.5 /* cosine of the normals of two surfaces that face each other: 120 degrees; chosen */
 /* [m] a node deeper by this than its path took it was inside before; chosen */
 #define MUS__PINCH_DEEP 1e-5
 /* [m] a node no further than this from where all surfaces allow it is put there; chosen */

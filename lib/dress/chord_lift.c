@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/contact.h"
 #include "contact/hands_feet.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
@@ -24,9 +25,6 @@
 #define LIFT_COARSEST 0.05
 /* least share of a lift that raises a sample: a lift is at most four times what a sample lacks */
 #define LIFT_ACROSS 0.25
-/* cosine of the normals of surfaces that face each other: a node that is lifted between them is pinched, as contact has
- * it (contact/pinch_kernel.h), and does not come to rest */
-#define LIFT_FACING -0.5
 #define LIFT_PARTS 4 /* of a triangle's side: samples are the points of this lattice but its corners */
 
 
@@ -91,14 +89,15 @@ static void lift_note(mus_drape *drape, uint64_t parts, const int32_t *corner, c
 }
 
 
-/* whether a node at p (3) lies between surfaces that face each other, nearer than `reach`: off one is into the other */
+/* whether a node at p (3) lies between surfaces that face each other, nearer than `reach`: off one is into the other,
+ * and lifted between them it is pinched and does not come to rest */
 static bool lift_pinched(const mus_drape *drape, const double *p, double reach)
 {
     double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
     const int32_t count = mus__collider_touching(drape->scene.collider, p, reach, normal, friction);
     for (int32_t i = 0; i < count; i++)
         for (int32_t j = 0; j < i; j++)
-            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < LIFT_FACING) return true;
+            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < MUS__PINCH_FACING) return true;
     return false;
 }
 

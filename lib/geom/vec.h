@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define MUS_PI 3.14159265358979323846
+#include "base/elementary.h"
 
 static inline double mus__dot3(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

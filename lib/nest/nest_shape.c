@@ -10,13 +10,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "geom/polygon.h"
 #include "nest/nest_shape.h"
 
 #define SHAPE_GRID 40     /* columns and rows on which a centre is looked for; chosen */
 #define SHAPE_HALVINGS 20 /* of the step from the best point of the grid; chosen: below the rounding of float */
 #define SHAPE_COVERED 0.9 /* part of the area after which no more circles than half the most are made; chosen */
-#define SHAPE_PI 3.14159265358979323846 /* for the area of a circle */
 
 
 /* signed distance of a point to the outline, above 0 inside, and to the circles so far, above 0 outside: the lesser */
@@ -76,7 +76,7 @@ static void shape_poles(mus__nest_shape *shape, double *rooms)
         shape->poles.x[n] = (float)centre[0];
         shape->poles.y[n] = (float)centre[1];
         shape->poles.r[n++] = (float)r;
-        covered += SHAPE_PI * r * r;
+        covered += MUS_PI * r * r;
         for (int32_t i = 0; i < SHAPE_GRID * SHAPE_GRID; i++) {
             const double dx = (2.0 * (i % SHAPE_GRID + 0.5) / SHAPE_GRID - 1.0) * shape->half[0] - centre[0];
             const double dy = (2.0 * ((int32_t)(i / SHAPE_GRID) + 0.5) / SHAPE_GRID - 1.0) * shape->half[1] - centre[1];

@@ -233,14 +233,13 @@ static void read_corners(const facts_work *w, int32_t first, int32_t n)
         edge->across = 2.0 * (edge->across - left) / fmax(1e-9, right - left) - 1.0;
         chord_of(w, i, true, u);
         chord_of(w, edge->next - first, false, v);
-        edge->end = next->start = MUS__SEAM_PI - turn_of(u, v);
+        edge->end = next->start = MUS_PI - turn_of(u, v);
     }
     for (int32_t i = first; i < first + n; i++) {
         const mus__seam_edge *edges = w->facts->edges;
         int32_t count = 1;
-        for (int32_t k = i; fabs(edges[k].end - MUS__SEAM_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].next) count++;
-        for (int32_t k = i; fabs(edges[k].start - MUS__SEAM_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].prev)
-            count++;
+        for (int32_t k = i; fabs(edges[k].end - MUS_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].next) count++;
+        for (int32_t k = i; fabs(edges[k].start - MUS_PI) < MUS__SEAM_FLAT && count < n; k = edges[k].prev) count++;
         w->facts->edges[i].line = count;
     }
 }
@@ -337,7 +336,7 @@ static int32_t image_of(const mus__seam_facts *facts, const mus__seam_panel *p, 
             const mus__seam_edge *a = &facts->edges[p->first + i], *b = &facts->edges[image];
             same = is_image(a, b);
             ahead += a->length - b->length;
-            if (fabs(a->end - MUS__SEAM_PI) >= MIRROR_ANGLE) {
+            if (fabs(a->end - MUS_PI) >= MIRROR_ANGLE) {
                 if (first == HUGE_VAL) first = ahead;
                 same = same && fabs(ahead - first) < MIRROR_LENGTH * facts->longest;
             }

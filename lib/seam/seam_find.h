@@ -18,7 +18,6 @@
 #include "muslin/pattern.h"
 #include "seam/seam_features.h"
 
-#define MUS__SEAM_PI 3.14159265358979323846
 #define MUS__SEAM_WEIGHT_UNIT 1e-3 /* of mus__seam_weights; chosen: the fit leaves them uncertain by more */
 #define MUS__SEAM_IN_NAME 8 /* words of a panel's name that are kept; chosen: names of pieces have up to five */
 #define MUS__SEAM_EDGES 500 /* most edges; chosen: bounds the time to a minute; the largest of the data has 176 */

@@ -65,7 +65,7 @@ static void pair_shape(const mus__seam_edge *x, const mus__seam_edge *y, double 
     out[MUS__SEAM_OPPOSED] = mus__exp((opposed - 1.0) / NORMALS_SPREAD);
     out[MUS__SEAM_UPWARD] = x->normal[1] + y->normal[1];
     out[MUS__SEAM_CORNER] =
-        bell(x->start + y->end - MUS__SEAM_PI, CORNERS_SPREAD) + bell(x->end + y->start - MUS__SEAM_PI, CORNERS_SPREAD);
+        bell(x->start + y->end - MUS_PI, CORNERS_SPREAD) + bell(x->end + y->start - MUS_PI, CORNERS_SPREAD);
 }
 
 
@@ -73,7 +73,7 @@ static void pair_panel(const mus__seam_facts *facts, int32_t a, int32_t b, doubl
 {
     const mus__seam_edge *x = &facts->edges[a];
     const bool next = x->next == b, prev = x->prev == b;
-    const double wedge = 2.0 * MUS__SEAM_PI - (next ? x->end : x->start);
+    const double wedge = 2.0 * MUS_PI - (next ? x->end : x->start);
     out[MUS__SEAM_SAME] = 1.0;
     out[MUS__SEAM_DART] = (next || prev) && wedge < DART_WEDGE;
     out[MUS__SEAM_DART_DOWN] = out[MUS__SEAM_DART] > 0.0 && out[MUS__SEAM_UPWARD] < 0.0;
@@ -277,8 +277,8 @@ static void free_edge(const surface *s, int32_t a)
 
 static void closed_vertex(double *out, int32_t k, double angle)
 {
-    const double off = fmin(fabs(angle - 2.0 * MUS__SEAM_PI), 2.0);
-    const double flat = bell(angle - 2.0 * MUS__SEAM_PI, ANGLES_SPREAD);
+    const double off = fmin(fabs(angle - 2.0 * MUS_PI), 2.0);
+    const double flat = bell(angle - 2.0 * MUS_PI, ANGLES_SPREAD);
     out[MUS__SEAM_CLOSED_1 + (k < 6 ? k : 6) - 1] += 1.0;
     if (k == 2) {
         out[MUS__SEAM_CLOSED_2_OFF] += off;
@@ -292,7 +292,7 @@ static void closed_vertex(double *out, int32_t k, double angle)
 
 static void open_vertex(double *out, int32_t k, double angle)
 {
-    const double off = fmin(fabs(angle - MUS__SEAM_PI), 1.5), flat = bell(angle - MUS__SEAM_PI, ANGLES_SPREAD);
+    const double off = fmin(fabs(angle - MUS_PI), 1.5), flat = bell(angle - MUS_PI, ANGLES_SPREAD);
     out[MUS__SEAM_OPEN_1 + (k < 5 ? k : 5) - 1] += 1.0;
     if (k == 1) {
         out[MUS__SEAM_OPEN_1_OFF] += off;
@@ -334,7 +334,7 @@ static void walk_vertex(surface *s, int32_t e)
         if (k > 0 && c == first) break;
         s->seen[c] = 1;
         const int32_t before_c = edges[c].prev;
-        if (fabs(edges[c].start - MUS__SEAM_PI) < MUS__SEAM_FLAT) {
+        if (fabs(edges[c].start - MUS_PI) < MUS__SEAM_FLAT) {
             flat++;
             if (s->mate[c] != MUS_NONE && s->mate[before_c] != MUS_NONE)
                 join_line(s, before_c, c);

@@ -12,8 +12,6 @@
 #include "base/elementary.h"
 #include "tape/tape_internal.h"
 
-#define TAPE_PI 3.14159265358979323846
-
 /* constant, and factors of stature, bust, waist, hip [cm] */
 typedef struct tape_line {
     double c, h, b, w, s;
@@ -113,8 +111,8 @@ double mus__tape_predict(const mus_tape *tape, int32_t measure, double *deviatio
     double h = 100.0 * tape->value[MUS_MEASURE_STATURE];
     if (child && measure == MUS_MEASURE_BACK_WAIST) return 0.01 * tape_table(tape_child_back, h);
     if (child && measure == MUS_MEASURE_HEAD) return 0.01 * tape_table(tape_child_head, h);
-    if (measure == MUS_MEASURE_SHOULDER_SLOPE) return (child ? 21.0 : 22.0) * (TAPE_PI / 180.0);
-    if (measure == MUS_MEASURE_ARM_ANGLE) return 45.0 * (TAPE_PI / 180.0);
+    if (measure == MUS_MEASURE_SHOULDER_SLOPE) return (child ? 21.0 : 22.0) * (MUS_PI / 180.0);
+    if (measure == MUS_MEASURE_ARM_ANGLE) return 45.0 * (MUS_PI / 180.0);
     if (measure == MUS_MEASURE_CROTCH_LENGTH) {
         if (child) return tape_crotch_at(2, tape->value);
         *deviation = 0.01 * tape_mix(tape->sex, tape_crotch_deviation[0], tape_crotch_deviation[1]);
@@ -253,8 +251,8 @@ static void tape_derive_arm_angle(mus_tape *tape)
 {
     const double *v = tape->value;
     double slope = v[MUS_MEASURE_SHOULDER_SLOPE], shoulder = v[MUS_MEASURE_SHOULDER], deviation;
-    const double r = v[MUS_MEASURE_UPPER_ARM] / (2.0 * TAPE_PI);
-    const double x = v[MUS_MEASURE_NECK] / (2.0 * TAPE_PI) + shoulder * mus__cos(slope) - 0.36 * r;
+    const double r = v[MUS_MEASURE_UPPER_ARM] / (2.0 * MUS_PI);
+    const double x = v[MUS_MEASURE_NECK] / (2.0 * MUS_PI) + shoulder * mus__cos(slope) - 0.36 * r;
     const double up = v[MUS_MEASURE_NAPE_HEIGHT] - 0.0165 * v[MUS_MEASURE_STATURE] - shoulder * mus__sin(slope) -
                       0.86 * r - v[MUS_MEASURE_BUST_HEIGHT];
     const double in = TAPE_TRUNK * v[MUS_MEASURE_BUST] + TAPE_ARM_CLEAR - x, far = sqrt(in * in + up * up);

@@ -75,6 +75,20 @@ static mus_drape *flare_skirt(mus_context *context, double angle, double inner, 
 }
 
 
+/* folds the fans of a skirt: no spring is longer or shorter by more than `strain`, no cloth goes through cloth */
+static void fold_fans(mus_drape *drape, double strain)
+{
+    int64_t crossings = -1;
+    const mus__placed_cloth placed = mus__drape_placed(drape);
+    ck_assert(mus__arrange_fans(&placed));
+    mus__drape_push(drape);
+    mus__drape_publish(drape);
+    ck_assert_double_le(mus__program_strain(&drape->program, drape->x), strain);
+    ck_assert_int_eq(mus_drape_crossings(drape, 0, NULL, &crossings), MUS_OK);
+    ck_assert_int_eq(crossings, 0);
+}
+
+
 /* half circles and more: no spring is 3 % longer or shorter (a fold's curve is 15 mm chords), all is below the middle
  * of the waist by 30 degrees at least, no cloth through cloth */
 START_TEST(wide_fans_hang_folded)
@@ -82,19 +96,12 @@ START_TEST(wide_fans_hang_folded)
     static const double angles[] = {2.0, MUS_PI, 4.5};
     mus_context *context = support_context();
     mus_drape *drape = flare_skirt(context, angles[_i], 0.12, 0.7, false, 0.0, false);
-    int64_t crossings = -1;
-    const mus__placed_cloth placed = mus__drape_placed(drape);
-    ck_assert(mus__arrange_fans(&placed));
-    mus__drape_push(drape);
-    mus__drape_publish(drape);
+    fold_fans(drape, 0.03);
     for (int32_t i = 0; i < drape->n; i++) {
         const double *x = drape->x + 3 * i;
         ck_assert_double_le(x[1] - 1.0, -0.5 * fabs(x[0]));
         ck_assert_double_ge(fabs(x[2]), 0.2 - 1e-6);
     }
-    ck_assert_double_le(mus__program_strain(&drape->program, drape->x), 0.03);
-    ck_assert_int_eq(mus_drape_crossings(drape, 0, NULL, &crossings), MUS_OK);
-    ck_assert_int_eq(crossings, 0);
     mus_drape_destroy(drape);
     support_context_end(context);
 }
@@ -107,15 +114,8 @@ START_TEST(fans_of_a_leg_stay_on_its_side)
     mus_context *context = support_context();
     const double aside = _i % 2 == 0 ? 0.15 : -0.15;
     mus_drape *drape = flare_skirt(context, 2.5, 0.155, 0.42, _i > 1, aside, false);
-    int64_t crossings = -1;
-    const mus__placed_cloth placed = mus__drape_placed(drape);
-    ck_assert(mus__arrange_fans(&placed));
-    mus__drape_push(drape);
-    mus__drape_publish(drape);
+    fold_fans(drape, 0.05);
     for (int32_t i = 0; i < drape->n; i++) ck_assert_double_ge(drape->x[3 * i] * aside, -1e-9);
-    ck_assert_double_le(mus__program_strain(&drape->program, drape->x), 0.05);
-    ck_assert_int_eq(mus_drape_crossings(drape, 0, NULL, &crossings), MUS_OK);
-    ck_assert_int_eq(crossings, 0);
     mus_drape_destroy(drape);
     support_context_end(context);
 }

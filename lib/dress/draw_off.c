@@ -3,7 +3,7 @@
  *
  * Seams are closed with fingers held together and without feet (mus__collider_spread()): a foot that stands in a
  * trouser leg while that is drawn shut comes through its cloth. Then a foot comes in from above, as one steps into
- * trousers: a node that lies in it is lifted over it, and none goes under the sole.
+ * trousers: a node that lies in it, or under it, is lifted over it. One that stayed under the sole would hook the hem.
  *
  * Nodes alone meet the body, so a triangle can come to lie with a thumb through its middle; its nodes, outside of the
  * thumb on all sides, then hold it there. Such a triangle meets the axis of the thumb. No surface that is worn meets
@@ -25,9 +25,11 @@
  * (chord_lift.c); chosen: at 1 a cape stays on a thumb */
 #define OFF_BEYOND 2.0
 #define OFF_ROUNDS 8 /* a triangle that is drawn off may take its neighbour with it; chosen */
-/* of its height over the floor, that a node keeps over the foot so that nodes keep their order; chosen: small, for a
- * hem that is lifted is folded by it */
+/* of its height over the floor, or over the lowest node under that, that a node keeps over the foot so that nodes keep
+ * their order; chosen: small, for a hem that is lifted is folded by it */
 #define STEP_ORDER 0.1
+#define STEP_TALLEST 1.0 /* [m] no foot is so high */
+#define STEP_LEAST 1e-3  /* [m] on the way up over a foot; chosen: a thinner part of one may be missed */
 #define STEP_HALVINGS 12 /* of the height of a foot: to 0.04 mm */
 
 
@@ -81,11 +83,17 @@ static double step_top(const mus__collider *collider, uint64_t feet)
 }
 
 
-/* moves a place that is nearer to a foot than `off` up until it is so far off it, below `top`; true when it was */
+/* moves a place below `top` that is nearer to a foot than `off`, or has one over it, up until nothing nearer than that
+ * is over it; true when it was. Each step of the way is as long as the way to the foot, the last ones STEP_LEAST */
 static bool step_up(const mus__collider *collider, uint64_t feet, double top, double off, double *place)
 {
-    double low = place[1], high = top;
-    if (!(low < top) || !(mus__collider_parts_depth(collider, feet, place, off, NULL) > -off)) return false;
+    double low = -INFINITY, high = top;
+    for (double at[3] = {place[0], fmax(place[1], top - STEP_TALLEST), place[2]}; at[1] < top;) {
+        const double reach = top - at[1] + off, gap = -mus__collider_parts_depth(collider, feet, at, reach, NULL);
+        if (gap < off) low = at[1];
+        at[1] += fmax(gap - off, STEP_LEAST);
+    }
+    if (!(low >= place[1])) return false;
     for (int32_t k = 0; k < STEP_HALVINGS; k++) {
         const double half = 0.5 * (low + high), at[3] = {place[0], half, place[2]};
         const bool in = mus__collider_parts_depth(collider, feet, at, off, NULL) > -off;
@@ -96,19 +104,21 @@ static bool step_up(const mus__collider *collider, uint64_t feet, double top, do
 }
 
 
-/* lifts the nodes that lie in a foot, or nearer to it than they keep off, over it; returns their number. Cloth that
- * came to rest lies on feet that are in already */
+/* lifts the nodes that lie in a foot, or under it, or nearer to it than they keep off, over it; returns their number.
+ * Cloth that came to rest lies on feet that are in already */
 static int32_t step_in(mus_drape *drape)
 {
     const mus__collider *collider = drape->scene.collider;
     const uint64_t feet = collider != NULL && drape->relax.far ? mus__collider_feet(collider) : 0;
     const double top = feet != 0 ? step_top(collider, feet) : 0.0, off = drape->def.clearance;
+    double lowest = 0.0;
     int32_t found = 0;
+    for (int32_t i = 0; i < drape->n && feet != 0; i++) lowest = fmin(lowest, drape->x[3 * (int64_t)i + 1]);
     for (int32_t i = 0; i < drape->n && feet != 0; i++) {
         double *x = drape->x + 3 * (int64_t)i;
         const double was = x[1];
         if (drape->pinned[drape->rep[i]] || !step_up(collider, feet, top, off, x)) continue;
-        x[1] += STEP_ORDER * was;
+        x[1] += STEP_ORDER * (was - lowest);
         found++;
     }
     return found;

@@ -124,10 +124,24 @@ START_TEST(cloth_comes_off_a_finger)
 END_TEST
 
 
-/* an upright sheet that goes down through the left foot is over it then, its rows in their order */
+/* whether any of the body is over a place that is under 15 cm, or nearer to it than cloth keeps off */
+static bool under_a_foot(const worn *w, const double *place)
+{
+    for (double at[3] = {place[0], place[1], place[2]}; at[1] < 0.15; at[1] += 0.002)
+        if (mus__collider_body_depth(w->drape->scene.collider, at, 0.1, NULL) > -CLEARANCE + 1e-4) return true;
+    return false;
+}
+
+
+static const double foot_heights[] = {0.04, 0.02}; /* [m] of the middle row: the lower sheet has two under the sole */
+
+
+/* an upright sheet that goes down through the left foot, and under its sole, is over it then, its rows in their order
+ */
 START_TEST(a_foot_comes_in_from_above)
 {
-    static const double middle[3] = {0.09, 0.04, 0.06}, across[3] = {1.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0};
+    static const double across[3] = {1.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0};
+    const double middle[3] = {0.09, foot_heights[_i], 0.06};
     worn w = sheet_at(middle, across, up);
     int32_t lifted = 0;
     double before[3 * NODES];
@@ -136,8 +150,7 @@ START_TEST(a_foot_comes_in_from_above)
     ck_assert_int_gt(found, SIDE);
     const double *x = mus_drape_positions(w.drape);
     for (int32_t i = 0; i < NODES; i++) {
-        const double depth = mus__collider_body_depth(w.drape->scene.collider, x + 3 * i, 0.1, NULL);
-        ck_assert_double_le(depth, -CLEARANCE + 1e-4);
+        ck_assert(!under_a_foot(&w, x + 3 * i));
         ck_assert_double_eq(x[3 * i], before[3 * i]);
         ck_assert_double_ge(x[3 * i + 1], before[3 * i + 1]);
         if (i >= SIDE) ck_assert_double_gt(x[3 * i + 1], x[3 * (i - SIDE) + 1]);
@@ -239,10 +252,12 @@ static void dress_person(const person_row *row, int32_t starts)
 }
 
 
-/* a wide leg on a thin ankle, a tapered one on a stout ankle, a band of rib round it */
+/* a wide leg on a thin ankle, a tapered one on a stout ankle, a band of rib round it, a long leg that lies on the foot
+ */
 static const person_row ankle_rows[] = {{"pyjama_trousers", MUS_SEX_MALE, {2.00, 0.86, 0.70, 0.86}},
                                         {"jumpsuit_strapless_tapered", MUS_SEX_FEMALE, {1.65, 1.20, 1.30, 1.12}},
-                                        {"harem_trousers", MUS_SEX_FEMALE, {1.65, 0.84, 0.72, 1.25}}};
+                                        {"harem_trousers", MUS_SEX_FEMALE, {1.65, 0.84, 0.72, 1.25}},
+                                        {"straight_elastic_full", MUS_SEX_FEMALE, {1.65, 1.20, 1.30, 1.12}}};
 
 
 /* trousers of people of all shapes: at the first start both legs are in their trouser legs */
@@ -273,10 +288,11 @@ Suite *mus_suite_hands_feet(void)
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, digits_lie_in_what_cloth_touches, 0, sizeof sizes / sizeof sizes[0]);
     tcase_add_loop_test(tests, cloth_comes_off_a_finger, 0, ENDS);
-    tcase_add_test(tests, a_foot_comes_in_from_above);
+    tcase_add_loop_test(tests, a_foot_comes_in_from_above, 0, sizeof foot_heights / sizeof foot_heights[0]);
     tcase_add_loop_test(tests, triangles_are_off_the_skin, 0, sizeof clear_rows / sizeof clear_rows[0]);
     tcase_add_loop_test(tests, trouser_legs_stay_round_the_ankles, 0, sizeof ankle_rows / sizeof ankle_rows[0]);
-    tcase_add_loop_test(tests, creases_and_feet_do_not_come_through, 0, SUPPORT_SLOW ? 1 : 3);
+    tcase_add_loop_test(tests, creases_and_feet_do_not_come_through, 0,
+                        SUPPORT_SLOW ? 1 : sizeof crease_rows / sizeof crease_rows[0]);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -329,14 +329,14 @@ MUS_API mus_status mus_drape_sew(mus_drape *drape, mus_progress_fn progress, voi
  * settle_residual, and no node's mean place moves faster than 2 mm/s. Of a node that touches skin, plane or cloth no
  * more force counts than moved it in those steps: what springs leave there is only as exact as the normals of the
  * contacts, and a node wedged between surfaces bears thousands of its weight. Where cloth presses a node more than 0.7
- * mm into the body, its thickness yields, down to a quarter, until it is out. Nodes stay off the skin by the clearance
- * and by what the triangles between them need to be off it too; the skin shows through no triangle by more than some
- * tenths of a millimetre, unless it is held there. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED
- * (by `progress`), MUS_ERR_DIVERGED, MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY) Memory:
- * the first sew or settle makes the coarse drapes, a third of the drape, kept until it is destroyed; the first settle
- * 28 doubles, a float and 7 numbers of the state's precision a node, kept too; with a progress function 6 doubles a
- * node during the call Source: dynamic relaxation, Underwood 1983; without self-contact the inertia of a node is the 3
- * x 3 bound of its stiffness
+ * mm into the body, or lies beside it where two surfaces leave no room for another layer, its thickness yields, down to
+ * a quarter, until there is room. Nodes stay off the skin by the clearance and by what the triangles between them need
+ * to be off it too; the skin shows through no triangle by more than some tenths of a millimetre, unless it is held
+ * there. Errors: MUS_ERR_UNSETTLED (residual in the message), MUS_ERR_STOPPED (by `progress`), MUS_ERR_DIVERGED,
+ * MUS_ERR_MEMORY (the state is as far as it got, with STOPPED and MEMORY) Memory: the first sew or settle makes the
+ * coarse drapes, a third of the drape, kept until it is destroyed; the first settle 28 doubles, a float and 7 numbers
+ * of the state's precision a node, kept too; with a progress function 6 doubles a node during the call Source: dynamic
+ * relaxation, Underwood 1983; without self-contact the inertia of a node is the 3 x 3 bound of its stiffness
  */
 MUS_API mus_status mus_drape_settle(mus_drape *drape, mus_progress_fn progress, void *user);
 

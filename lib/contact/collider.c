@@ -31,7 +31,9 @@
 #include <string.h>
 
 #include "body/body_internal.h"
+#include "contact/contact.h"
 #include "contact/offset_surface.h"
+#include "geom/vec.h"
 
 #define COLLIDER_FAR 1e30 /* [m] depth of what is out of reach, with a minus; beyond every scene */
 /* [m] added to a reach: near a cap the radius is far from a surface that is close; chosen: above the cap's height
@@ -209,4 +211,15 @@ int32_t mus__collider_touching(const mus__collider *collider, const double *poin
         friction[count++] = plane->friction;
     }
     return count;
+}
+
+
+bool mus__collider_pinches(const mus__collider *collider, const double *point, double reach)
+{
+    double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
+    const int32_t count = mus__collider_touching(collider, point, reach, normal, friction);
+    for (int32_t i = 0; i < count; i++)
+        for (int32_t j = 0; j < i; j++)
+            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < MUS__PINCH_FACING) return true;
+    return false;
 }

@@ -21,8 +21,7 @@
 #define MUS__TOUCHING_MAX 4      /* surfaces that mus__collider_touching() returns; more are left out */
 #define MUS__DISC_THICKNESS 0.01 /* [m] a node further below a disc than this is under it; chosen: a table top */
 #define MUS__PLANE_ENDLESS 1e15  /* [m] radius of a plane without an edge: beyond every scene */
-/* [m] a node that moves less in a step is not swept; chosen: half a disc's thickness */
-#define MUS__PLANE_SAFE_TRAVEL 5e-3
+#define MUS__PLANE_SAFE_TRAVEL 5e-3 /* [m] a node that moves less in a step is not swept; chosen: half of a disc */
 
 /* motion of a surface in the last step, as affine maps of a place in the state's coordinates (3 rows of a matrix, then
  * the constant): displacement of the surface point that was at x before the step, velocity of the one now at x */
@@ -111,10 +110,11 @@ uint64_t mus__collider_parts_near(const mus__collider *collider, const double *l
 /* mus__collider_body_depth() of some parts, a bit each */
 double mus__collider_parts_depth(const mus__collider *collider, uint64_t parts, const double *point, double margin,
                                  double *normal);
-
 /* surfaces nearer to a point of the world than `reach` [m]: outward normals (MUS__TOUCHING_MAX x 3) and friction
  * coefficients (MUS__TOUCHING_MAX), below 0 where the rule's holds. Returns their number */
 int32_t mus__collider_touching(const mus__collider *collider, const double *point, double reach, double *normals,
                                double *friction);
+/* whether a point of the world lies between surfaces that face each other, both nearer than `reach` [m] */
+bool mus__collider_pinches(const mus__collider *collider, const double *point, double reach);
 
 #endif

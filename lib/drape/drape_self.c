@@ -17,7 +17,7 @@
 
 #define SELF_PUSH_SPEED 0.5 /* [m/s] overlapping pairs part no faster; chosen: below the speed of falling cloth */
 #define SELF_THICKEST 0.5   /* of the spacing: the largest thickness */
-#define SELF_DEEP 0.7e-3    /* [m] depth in the body from which on thickness yields */
+#define SELF_DEEP 0.7e-3    /* [m] depth in the body from which on thickness yields; see also self_no_room() */
 #define SELF_FROZEN 1e-6    /* [m] a node with a smaller displacement bound cannot move */
 #define SELF_LINGERS 1e-3   /* [m] between two checks: a deep node that moves farther mostly comes out by itself */
 
@@ -122,6 +122,16 @@ int32_t mus__drape_self_force(const mus_drape *drape, int32_t i, double *force)
 }
 
 
+/* whether cloth that touches node i, at x (3), has no room beside it: the node is pressed into the body, or surfaces
+ * face each other there that are nearer than another layer is thick */
+static bool self_no_room(const mus_drape *drape, int32_t i, const double *x)
+{
+    const mus__collider *collider = drape->scene.collider;
+    const double reach = drape->def.clearance + 2.0 * (double)drape->self->thick_max[i];
+    return mus__collider_depth(collider, x, 0.0, NULL) > SELF_DEEP || mus__collider_pinches(collider, x, reach);
+}
+
+
 int32_t mus__drape_self_give_way(mus_drape *drape)
 {
     mus__self_contact *self = drape->self;
@@ -131,8 +141,7 @@ int32_t mus__drape_self_give_way(mus_drape *drape)
         const double way[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
         double force[3] = {0.0};
         self->stale[i] = drape->mass[i] > 0.0 && mus__norm3(way) < SELF_LINGERS &&
-                         mus__drape_self_force(drape, i, force) &&
-                         mus__collider_depth(drape->scene.collider, x, 0.0, NULL) > SELF_DEEP;
+                         mus__drape_self_force(drape, i, force) && self_no_room(drape, i, x);
     }
     return mus__self_contact_yield(self, self->stale);
 }

@@ -10,7 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/contact.h"
 #include "contact/hands_feet.h"
 #include "drape/drape_state.h"
 #include "drape/residual.h"
@@ -89,19 +88,6 @@ static void lift_note(mus_drape *drape, uint64_t parts, const int32_t *corner, c
 }
 
 
-/* whether a node at p (3) lies between surfaces that face each other, nearer than `reach`: off one is into the other,
- * and lifted between them it is pinched and does not come to rest */
-static bool lift_pinched(const mus_drape *drape, const double *p, double reach)
-{
-    double normal[3 * MUS__TOUCHING_MAX], friction[MUS__TOUCHING_MAX];
-    const int32_t count = mus__collider_touching(drape->scene.collider, p, reach, normal, friction);
-    for (int32_t i = 0; i < count; i++)
-        for (int32_t j = 0; j < i; j++)
-            if (mus__dot3(normal + 3 * (ptrdiff_t)i, normal + 3 * (ptrdiff_t)j) < MUS__PINCH_FACING) return true;
-    return false;
-}
-
-
 /* the samples of a triangle; those further than `margin` off the skin ask for nothing */
 static void lift_triangle(mus_drape *drape, uint64_t of, const int32_t *corner, const double *x, double margin)
 {
@@ -175,7 +161,9 @@ double mus__chord_lift(mus_drape *drape, const double *x, bool thin, bool rest)
         const double now = (double)data->lift[i], off = data->gap[i] - drape->def.clearance;
         double need = now;
         if (data->lack[i] > 0.0) need = fmin(fmax(off + data->lack[i], now), LIFT_MOST);
-        if (need > 0.0 && lift_pinched(drape, x + 3 * (int64_t)i, drape->def.clearance + need)) need = 0.0;
+        /* off one of two surfaces that face each other is into the other: it would be pinched and not come to rest */
+        if (need > 0.0 && mus__collider_pinches(drape->scene.collider, x + 3 * (int64_t)i, drape->def.clearance + need))
+            need = 0.0;
         if (data->around[i] < -MUS__LIFT_CLEAR) need = fmin(now, fmax(off + data->around[i], 0.0));
         if (rest) need = fmax(need, now);
         change = fmax(change, need - now);

@@ -28,9 +28,9 @@
  * (chord_lift.c), and before the first step cloth that a hand or a foot goes through is drawn off over its end
  * (draw_off.c).
  *
- * Two sheets of full thickness and the skin on both sides may have no room, as between the legs: cloth then presses a
- * node deep into the body. The thickness of such nodes yields near rest. It does not yield while seams close, because
- * cloth that is drawn through a narrow place needs all of it.
+ * Two sheets of full thickness and the skin on both sides may have no room, as between the legs. The thickness of nodes
+ * there, and of those that cloth presses deep into the body, yields near rest. It does not yield while seams close,
+ * because cloth that is drawn through a narrow place needs all of it.
  */
 #include <math.h>
 #include <string.h>

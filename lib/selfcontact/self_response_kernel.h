@@ -127,9 +127,26 @@ static void MUS__NAME(self_rank_start)(mus__self_contact *self, const mus__self_
 /* an active pair as it lies now: weights of its nodes, unit normal from its second thing to its first, overlap [m] */
 typedef struct MUS__NAME(self_contact_pair) {
     const int32_t *node;
-    int32_t split; /* nodes of the first thing: 1 or 2 */
+    int32_t split;              /* nodes of the first thing: 1 or 2 */
+    int32_t still, still_after; /* nodes from `still` to still_after - 1 get impulses and no move; none where equal */
     MUS__REAL weight[4], normal[3], overlap;
 } MUS__NAME(self_contact_pair);
+
+
+/*
+ * Of a pair of ranks one and two, the layer that lies on the body gets no move when nothing supports the other. What
+ * an impulse moves it in the next step the body takes back, and no more than that: with a move besides, cloth under
+ * other cloth that is drawn tight sinks into the body. Nor does it move back when some of the impulse is taken back:
+ * given by the warm start and taken by the answer, step after step, that would carry it away. Where the other layer is
+ * supported too, as between the legs, both move: a layer that is pressed into the body tells that there is no room, and
+ * thickness yields.
+ */
+static inline void MUS__NAME(self_pair_still)(MUS__NAME(self_contact_pair) * pair, int32_t one, int32_t two)
+{
+    const int32_t first = one == 0 && two == MUS__RANK_NONE, second = two == 0 && one == MUS__RANK_NONE;
+    pair->still = second ? pair->split : 0;
+    pair->still_after = second ? 4 : first ? pair->split : 0;
+}
 
 
 /* fills *pair from an active one; not where its things are out of reach and it gave no impulse. Nonzero when they are
@@ -156,7 +173,7 @@ static inline int32_t MUS__NAME(self_pair_lies)(const mus__self_contact *self, c
 }
 
 
-/* gives the nodes of a pair an impulse and a move per inverse mass (3 each) */
+/* gives the nodes of a pair an impulse and, but those that stay, a move per inverse mass (3 each) */
 static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS__NAME(self_contact_pair) * pair,
                                               const MUS__REAL *inverse, const MUS__REAL *impulse, const MUS__REAL *move,
                                               MUS__REAL *x, MUS__REAL *v)
@@ -165,10 +182,11 @@ static inline void MUS__NAME(self_pair_apply)(mus__self_contact *self, const MUS
     MUS__REAL *force = self->force, *off = self->travel2;
     for (int32_t i = 0; i < 4; i++) {
         const MUS__REAL weight = pair->weight[i], moved = weight * inverse[pair->node[i]];
+        const MUS__REAL goes = i >= pair->still && i < pair->still_after ? 0 : moved;
         for (int32_t d = 0; d < 3; d++) {
             const int64_t at = d * n + pair->node[i];
             v[at] += moved * impulse[d];
-            x[at] += moved * move[d];
+            x[at] += goes * move[d];
             force[at] += weight * impulse[d];
         }
         off[pair->node[i]] =
@@ -194,6 +212,9 @@ static void MUS__NAME(self_pair_warm_start)(mus__self_contact *self, const mus__
         impulse[d] = (MUS__REAL)active->impulse * pair.normal[d] + across;
         move[d] = (MUS__REAL)rule->slip * (pair.overlap > 0 ? impulse[d] : across);
     }
+    const int32_t one = MUS__NAME(self_rank_of)(self, pair.node, pair.weight, 0, pair.split, 1, pair.normal);
+    const int32_t two = MUS__NAME(self_rank_of)(self, pair.node, pair.weight, pair.split, 4, -1, pair.normal);
+    MUS__NAME(self_pair_still)(&pair, one, two);
     MUS__NAME(self_pair_apply)(self, &pair, inverse, impulse, move, x, v);
 }
 
@@ -226,6 +247,7 @@ static void MUS__NAME(self_pair_respond)(mus__self_contact *self, const mus__sel
     const int32_t *node = pair.node, split = pair.split;
     const int32_t one = MUS__NAME(self_rank_of)(self, node, pair.weight, 0, split, 1, pair.normal);
     const int32_t two = MUS__NAME(self_rank_of)(self, node, pair.weight, split, 4, -1, pair.normal);
+    MUS__NAME(self_pair_still)(&pair, one, two);
     for (int32_t i = 0; i < 4; i++) {
         for (int32_t d = 0; d < 3; d++) w[d] += pair.weight[i] * v[d * n + node[i]];
         const MUS__REAL own = pair.weight[i] * pair.weight[i] * inverse[node[i]];

@@ -162,6 +162,31 @@ START_TEST(a_foot_comes_in_from_above)
 END_TEST
 
 
+/* between the legs surfaces face each other: they pinch what is nearer to both than the reach, and the side of a leg
+ * pinches nothing */
+START_TEST(legs_pinch_what_lies_between_them)
+{
+    const double origin[3] = {0.0, 0.0, 0.0};
+    worn w = worn_body("W40");
+    mus__collider *collider;
+    ck_assert_int_eq(mus__collider_create(w.context, w.body, origin, CLEARANCE, &collider), MUS_OK);
+    double middle[3] = {0.0, 0.7, 0.0}, apart = 1.0; /* 70 cm up, where thighs are near */
+    for (int32_t k = -100; k <= 100; k++) {          /* where the legs are nearest, there they face each other */
+        const double place[3] = {0.0, middle[1], 0.002 * k};
+        const double here = -mus__collider_body_depth(collider, place, 0.5, NULL);
+        if (here < apart) apart = here, middle[2] = place[2];
+    }
+    ck_assert_double_gt(apart, 0.0);
+    ck_assert(mus__collider_pinches(collider, middle, 1.1 * apart));
+    ck_assert(!mus__collider_pinches(collider, middle, 0.9 * apart));
+    const double beside[3] = {0.4, middle[1], middle[2]};
+    ck_assert(!mus__collider_pinches(collider, beside, 0.4));
+    mus__collider_destroy(collider);
+    worn_end(&w);
+}
+END_TEST
+
+
 typedef struct clear_row {
     const char *design, *size;
 } clear_row;
@@ -268,10 +293,14 @@ START_TEST(trouser_legs_stay_round_the_ankles)
 END_TEST
 
 
-/* cloth in the creases under thin arms, under stout arms, and a hem that comes to lie on the feet long after it fell */
+/* cloth in the creases under thin arms, under stout arms, a hem that comes to lie on the feet long after it fell, and
+ * cloth that other cloth presses on the body: a facing, a waist, a back */
 static const person_row crease_rows[] = {{"knit_scoop_cap", MUS_SEX_FEMALE, {1.88, 0.76, 0.58, 0.82}},
                                          {"top_empire_scoop_sleeveless", MUS_SEX_FEMALE, {1.50, 1.50, 1.50, 1.60}},
-                                         {"quarter_skirt_maxi", MUS_SEX_MALE, {2.00, 0.86, 0.70, 0.86}}};
+                                         {"quarter_skirt_maxi", MUS_SEX_MALE, {2.00, 0.86, 0.70, 0.86}},
+                                         {"panel_a_line_square_short", MUS_SEX_CHILD, {1.40, 0.85, 0.85, 0.90}},
+                                         {"bootcut_trousers", MUS_SEX_MALE, {1.55, 1.50, 1.65, 1.55}},
+                                         {"sheath_scoop_long", MUS_SEX_MALE, {1.80, 1.25, 0.80, 0.95}}};
 
 
 START_TEST(creases_and_feet_do_not_come_through)
@@ -288,6 +317,7 @@ Suite *mus_suite_hands_feet(void)
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, digits_lie_in_what_cloth_touches, 0, sizeof sizes / sizeof sizes[0]);
     tcase_add_loop_test(tests, cloth_comes_off_a_finger, 0, ENDS);
+    tcase_add_test(tests, legs_pinch_what_lies_between_them);
     tcase_add_loop_test(tests, a_foot_comes_in_from_above, 0, sizeof foot_heights / sizeof foot_heights[0]);
     tcase_add_loop_test(tests, triangles_are_off_the_skin, 0, sizeof clear_rows / sizeof clear_rows[0]);
     tcase_add_loop_test(tests, trouser_legs_stay_round_the_ankles, 0, sizeof ankle_rows / sizeof ankle_rows[0]);

@@ -157,8 +157,8 @@ MUS_API const char *mus_worn_name(int32_t kind);
  * outside. In a garment that is worn each limb leaves by one loop, its opening. Labels and sides of the panels tell
  * which one (mus_pattern_set_panel_label(), "arm" and "leg"), else the arrangement. Then heights are compared with
  * those of the arrangement: the neck opening crosses each shoulder where the pattern has one; a waist or strapless top
- * is not lower than the level that carries its girth; a hem is not rolled up. Last, whole triangles are counted: those
- * of the cloth that cross the skin.
+ * is not lower than the level that carries its girth, or than it is put where none does; a hem is not rolled up. Last,
+ * whole triangles are counted: those of the cloth that cross the skin.
  *
  * `pattern` is that of the drape's cloth, `body` that of the drape, as it stands now (mus_body_pose()). Seams count as
  * sewn, so the call may be made before and during sewing too.

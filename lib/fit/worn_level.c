@@ -9,7 +9,9 @@
  * than the end of the shoulder, unless the pattern puts it there.
  * Hood: the way up from the crown is closed by cloth, the way forwards is open, and no cloth is before the eyes.
  * Low: an opening for both arms and the head (a waist, a strapless top) stands at the level at which the pattern puts
- * it, or at the first one below where the trunk is as wide as the opening is long; one above the bust stays above it.
+ * it, or at the first one below where the trunk is as wide as the opening is long. One above the bust stays above it.
+ * One that is wider than all of the trunk below, as the waist of trousers that only the crotch holds, stays where it
+ * is put.
  * Rolled up: an opening of the legs is above the bust, of a garment that reaches above the waist (the band of a short
  * top may sit at the waist though it is drawn at the hip); of a skirt or trousers it is higher than half of the way
  * from where the pattern puts it to the top.
@@ -121,10 +123,11 @@ static void hang_hood(const mus__worn_call *call, int32_t loop)
 }
 
 
-/* length of a tape round the trunk at a height [m]: between the two contours beside it; INFINITY below the trunk */
-static double hang_girth(const mus__worn_call *call, int32_t torso, double height)
+/* length of a tape round the trunk at a height [m]: between the two contours beside it; 0 below the trunk */
+static double hang_girth(const mus__worn_call *call, double height)
 {
-    double below = -INFINITY, above = INFINITY, low = INFINITY, high = 0.0;
+    double below = -INFINITY, above = INFINITY, low = 0.0, high = 0.0;
+    const int32_t torso = 0;
     for (int32_t k = 0; k < mus_body_contour_count(call->body, torso); k++) {
         double centre[3];
         const double girth = mus__worn_contour(call->body, torso, k, centre), at = mus__dot3(call->axes.up, centre);
@@ -142,18 +145,19 @@ static void hang_low(const mus__worn_call *call, int32_t loop)
 {
     const mus__worn_loop *own = &call->loops.loop[loop];
     if ((own->expect & HANG_ARMS) != HANG_ARMS || (own->expect & HANG_LEGS) != 0) return;
-    int32_t torso = 0;
     const double meant = hang_height(call, loop, call->placed), now = hang_height(call, loop, call->x);
     /* a top that stands above the bust hangs on it, however wide it is */
     const double bust = mus__dot3(call->axes.up, call->axes.point[MUS_WORN_NECK][0]);
     const double least = meant > bust ? fmax(now, bust) : now;
     double carried = meant;
-    while (carried > least && hang_girth(call, torso, carried) < own->length) carried -= 0.01;
-    if (!(now < carried - HANG_LOW)) return;
+    while (carried > least && hang_girth(call, carried) < own->length) carried -= 0.01;
+    const bool nowhere = meant <= bust && !(carried > least);
+    const double level = nowhere ? meant : carried;
+    if (!(now < level - HANG_LOW)) return;
     char text[128];
-    snprintf(text, sizeof text, "an opening of %.0f mm hangs %.0f mm below where the body carries it",
-             1000.0 * own->length, 1000.0 * (carried - now));
-    mus__worn_note(call, MUS_WORN_LOW, MUS_NONE, loop, MUS_NONE, carried - now, text);
+    snprintf(text, sizeof text, "an opening of %.0f mm hangs %.0f mm below where %s", 1000.0 * own->length,
+             1000.0 * (level - now), nowhere ? "it is put, and the body carries it nowhere" : "the body carries it");
+    mus__worn_note(call, MUS_WORN_LOW, MUS_NONE, loop, MUS_NONE, level - now, text);
 }
 
 

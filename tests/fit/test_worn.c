@@ -80,6 +80,36 @@ START_TEST(each_defect_is_named)
 END_TEST
 
 
+/* trousers of a size whose waist is longer than any tape round the trunk under it: lower than they are put they are on
+ * their way down, for nothing but the crotch holds them */
+START_TEST(a_waist_that_nothing_carries_is_low)
+{
+    static const double down[] = {-0.05, -0.12}; /* [m] less and more than a waist may slide */
+    const defect slid = {NULL, NULL, NULL, {1, 1, 1}, {0, down[_i], 0}, 0, 0};
+    mus_tape *large;
+    mus_cloth_def cut;
+    mus_worn out;
+    worn w = worn_body("W34");
+    ck_assert_int_eq(mus_tape_create(w.context, &large), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(large, "M58"), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(w.context, mus_design_find("straight_trousers"), large, NULL, &w.pattern),
+                     MUS_OK);
+    ck_assert_int_eq(mus_arrange_pattern(w.pattern, w.body), MUS_OK);
+    mus_cloth_def_init(&cut, sizeof cut);
+    cut.spacing = 0.03;
+    ck_assert_int_eq(mus_cloth_create(w.context, w.pattern, &cut, &w.cloth), MUS_OK);
+    ck_assert_int_eq(mus_drape_create(w.context, w.cloth, w.body, NULL, &w.drape), MUS_OK);
+    ck_assert_int_eq(mus_drape_place(w.drape), MUS_OK);
+    make_wrong(&w, w.cloth, w.drape, &slid);
+    mus_worn_init(&out, sizeof out);
+    ck_assert_int_eq(mus_fit_worn(w.drape, w.pattern, w.body, &out), MUS_OK);
+    ck_assert_msg((out.kind == MUS_WORN_LOW) == (_i == 1), "%s: %s", mus_worn_name(out.kind), out.text);
+    mus_tape_destroy(large);
+    worn_end(&w);
+}
+END_TEST
+
+
 /* crossings counted pair by pair, without a grid */
 static int32_t count_all(const mus_cloth *cloth, const double *x, const mus_body *body)
 {
@@ -211,6 +241,7 @@ Suite *mus_suite_worn(void)
     TCase *tests = tcase_create("worn");
     tcase_set_timeout(tests, 60.0);
     tcase_add_loop_test(tests, what_is_far_too_tight_is_told_before_it_is_sewn, 0, 2);
+    tcase_add_loop_test(tests, a_waist_that_nothing_carries_is_low, 0, 2);
     tcase_add_loop_test(tests, each_defect_is_named, 0, (int)(sizeof defects / sizeof *defects));
     tcase_add_loop_test(tests, through_the_body_is_exact, 0, 3);
     tcase_add_test(tests, bad_arguments_are_refused);

@@ -92,7 +92,7 @@ static const struct {
     {"tshirt", "C92", "W40", NULL, {0, 0, 0}, 0, MUS_WORN_TIGHT, MUS_NONE},
     {"leggings", "C104", "M50", NULL, {0, 0, 0}, 0, MUS_WORN_TIGHT, MUS_NONE},
     {"straight_skirt_mini", "W52", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_LOW, MUS_NONE},
-    {"straight_trousers", "M58", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_OPENING, MUS_NONE}, /* toes through the cloth */
+    {"straight_trousers", "M58", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_LOW, MUS_NONE}, /* the crotch alone holds them */
     {"corset_top", "W52", "W34", NULL, {0, 0, 0}, 0, MUS_WORN_LOW, MUS_NONE},
     {"knit_wide_long", "W52", "C116", NULL, {0, 0, 0}, 0, MUS_WORN_OPENING, MUS_NONE},
     {"tshirt", "W40", "W40", "arm", {0, 0, -0.35}, 0, MUS_WORN_OPENING, MUS_NONE},

@@ -63,7 +63,8 @@ static void MUS__NAME(cache_chunk)(MUS__NAME(cache_rule) rule, int64_t n, int32_
         const MUS__REAL d0 = x[i] - cache[4 * n + i], d1 = x[n + i] - cache[5 * n + i],
                         d2 = x[2 * n + i] - cache[6 * n + i];
         const MUS__REAL depth = cache[3 * n + i] - (normal[0] * d0 + normal[1] * d1 + normal[2] * d2);
-        const MUS__REAL moves = inverse[i] > 0 ? 1 : 0, away = d0 * d0 + d1 * d1 + d2 * d2 <= cache[7 * n + i] ? 0 : 1;
+        const MUS__REAL one = 1, none = 0, moves = inverse[i] > 0 ? one : none;
+        const MUS__REAL away = d0 * d0 + d1 * d1 + d2 * d2 <= cache[7 * n + i] ? none : one;
         const MUS__REAL touch = moves * (1 - away) * (depth > -band ? 1 : 0);
         MUS__REAL p[3] = {x[i], x[n + i], x[2 * n + i]}, w[3] = {v[i], v[n + i], v[2 * n + i]};
         MUS__NAME(cache_respond)(rule, touch, depth + rule.clearance, normal, p, w);

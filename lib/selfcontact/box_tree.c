@@ -165,18 +165,20 @@ static void tree_masks(const float *restrict a, const float *restrict b, float r
 
 
 /* of `bits` those of things without a class in common with thing r of a tree node; classes plane by plane */
-static uint32_t tree_apart(const int32_t *a, int32_t aeach, int32_t r, const int32_t *b, int32_t beach, uint32_t bits)
+MUS_CLONES
+static uint32_t tree_apart(const int32_t *restrict a, int32_t aeach, int32_t r, const int32_t *restrict b,
+                           int32_t beach, uint32_t bits)
 {
     enum { N = MUS__TREE_LANES };
-    uint32_t out = 0;
-    for (uint32_t left = bits; left != 0; left &= left - 1) {
-        const int32_t k = mus__box_tree_lowest(left);
-        int32_t joined = 0;
-        for (int32_t i = 0; i < aeach; i++)
-            for (int32_t j = 0; j < beach; j++) joined |= a[i * N + r] == b[j * N + k];
-        out |= (uint32_t)(joined == 0) << k;
-    }
-    return out;
+    uint32_t joined[N] = {0}, out = 0;
+    for (int32_t i = 0; i < aeach; i++)
+        for (int32_t j = 0; j < beach; j++) {
+            const int32_t own = a[i * N + r];
+            MUS_ROLLED
+            for (int32_t k = 0; k < N; k++) joined[k] |= own == b[j * N + k] ? 1 : 0;
+        }
+    for (int32_t k = 0; k < N; k++) out |= joined[k] << k;
+    return bits & ~out;
 }
 
 

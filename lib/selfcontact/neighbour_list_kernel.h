@@ -227,14 +227,15 @@ static void MUS__NAME(self_list_waiting)(MUS__NAME(self_search) * search)
 {
     enum { N = MUS__TREE_LANES };
     const MUS__REAL *at = search->self->at;
-    MUS__REAL p[12 * N] = {0}, q[12 * N] = {0};
+    MUS__REAL p[12 * N], q[12 * N];
     int32_t near[N];
-    for (int32_t i = 0; i < search->waiting; i++)
-        for (int32_t k = 0; k < 4; k++)
-            for (int32_t d = 0; d < 3; d++) {
-                p[(3 * k + d) * N + i] = at[8 * (int64_t)search->node[4 * i + k] + d];
-                q[(3 * k + d) * N + i] = at[8 * (int64_t)search->node[4 * i + k] + 4 + d];
-            }
+    for (int32_t i = 0; i < N; i++) {
+        const int32_t *node = search->node + 4 * (i < search->waiting ? i : 0);
+        for (int32_t k = 0; k < 4; k++) {
+            const MUS__REAL *of = at + 8 * (int64_t)node[k];
+            for (int32_t d = 0; d < 3; d++) p[(3 * k + d) * N + i] = of[d], q[(3 * k + d) * N + i] = of[4 + d];
+        }
+    }
     MUS__NAME(self_packet_passes)(p, q, search->reach * search->reach, near);
     for (int32_t i = 0; i < search->waiting; i++)
         if (near[i]) MUS__NAME(self_list_add)(search, 1, search->node + 4 * i);
@@ -427,7 +428,7 @@ static int32_t MUS__NAME(self_list_renew)(mus__self_contact *self, const MUS__RE
     MUS__REAL *home = self->list_home;
     int32_t count = 0;
     if (self->full || (self->drifts && !(self->list_age <= (1.0 - MUS__LIST_RENEW) * self->list_span))) return 0;
-    for (int64_t i = 0; i < self->nodes; i++) count += self->stale[i] = !(left[i] >= least);
+    for (int64_t i = 0; i < self->nodes; i++) count += self->stale[i] = (uint8_t)!(left[i] >= least);
     if (count > MUS__LIST_PARTIAL_MAX * self->nodes) return 0;
     const MUS__REAL *centre = self->bound,
                     rate = (MUS__REAL)(self->drifts && self->bound_age > 0.0 ? 1.0 / self->bound_age : 0.0);

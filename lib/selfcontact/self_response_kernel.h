@@ -99,16 +99,18 @@ static void MUS__NAME(self_rank_body)(int64_t n, int32_t count, const uint8_t *r
                                       const MUS__REAL *restrict v, const MUS__REAL *restrict before,
                                       uint8_t *restrict rank, MUS__REAL *restrict support)
 {
+    MUS_IVDEP
     for (int32_t i = 0; i < count; i++) {
         const MUS__REAL push0 = v[i] - before[i], push1 = v[n + i] - before[n + i];
         const MUS__REAL push2 = v[2 * n + i] - before[2 * n + i];
         const MUS__REAL all = push0 * push0 + push1 * push1 + push2 * push2;
-        const int32_t held = near[i] != 0 && all > 0;
+        const int32_t held = (near[i] != 0) & (all > 0);
+        const MUS__REAL was0 = support[i], was1 = support[n + i], was2 = support[2 * n + i];
         const MUS__REAL length = (MUS__REAL)MUS__NAME(sqrt)(held ? all : 1);
         rank[i] = held ? 0 : MUS__RANK_NONE;
-        support[i] = held ? push0 / length : support[i];
-        support[n + i] = held ? push1 / length : support[n + i];
-        support[2 * n + i] = held ? push2 / length : support[2 * n + i];
+        support[i] = held ? push0 / length : was0;
+        support[n + i] = held ? push1 / length : was1;
+        support[2 * n + i] = held ? push2 / length : was2;
     }
 }
 

@@ -189,7 +189,7 @@ static int find_fabric(dress *d)
         mus_status status = mus_fabric_load(d->s.context, d->fabric_name, &d->fabric);
         return status == MUS_OK ? EXIT_DONE : scene_fail(&d->s, status);
     }
-    if (d->fabric_name == NULL || mus_fabric_find(d->fabric_name, &d->fabric) == MUS_OK) return EXIT_DONE;
+    if (mus_fabric_find(d->fabric_name != NULL ? d->fabric_name : "jersey", &d->fabric) == MUS_OK) return EXIT_DONE;
     char names[512] = "";
     for (int32_t i = 0; i < mus_fabric_count(); i++) {
         const size_t length = strlen(names);

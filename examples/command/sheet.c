@@ -309,7 +309,7 @@ static int read_options(sheet *sh, int argc, char **argv)
     if (sh->pixels != NULL && render_size_parse(sh->pixels, &sh->wide, &sh->high, &error) != 0)
         return complain(EXIT_INPUT, "sheet", "--tile: %s", error.text);
     mus_fabric_init(&sh->fabric, sizeof sh->fabric);
-    if (sh->fabric_name != NULL && mus_fabric_find(sh->fabric_name, &sh->fabric) != MUS_OK)
+    if (mus_fabric_find(sh->fabric_name != NULL ? sh->fabric_name : "jersey", &sh->fabric) != MUS_OK)
         return complain(EXIT_INPUT, "sheet", "--fabric %s: unknown", sh->fabric_name);
     return EXIT_DONE;
 }

@@ -32,7 +32,7 @@ extern "C" {
 typedef struct mus_dress_def {
     size_t size;
     double spacing;             /* of the lattice [m], default 0.01, 0.001..0.1 */
-    const mus_fabric *fabric;   /* NULL (default): the default fabric */
+    const mus_fabric *fabric;   /* NULL (default): "jersey" */
     int32_t self_contact;       /* nonzero: cloth meets cloth; 0 (default). Layers worn over each other need it */
     int32_t precision;          /* of the state, 32 or 64 bits; 0 (default): as the cloth asks (mus_drape_def) */
     int32_t threads;            /* 1 (default) .. 64; the result does not depend on it */

@@ -35,11 +35,13 @@ void mus_cloth_def_init(mus_cloth_def *def, size_t size)
 }
 
 
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric)
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, const mus_fabric *otherwise,
+                               mus_cloth_def *own, mus_fabric *fabric)
 {
     mus_cloth_def_init(own, sizeof *own);
     mus_status status = mus__def_read(context, own, sizeof *own, sizeof *own, def, "mus_cloth_def");
     mus_fabric_init(fabric, sizeof *fabric);
+    if (own->fabric == NULL) own->fabric = otherwise;
     if (status == MUS_OK)
         status = mus__def_read(context, fabric, sizeof *fabric, MUS__FABRIC_FIRST, own->fabric, "mus_fabric");
     if (status == MUS_OK) status = mus_fabric_check(context, fabric);
@@ -245,8 +247,10 @@ mus_status mus_cloth_create(mus_context *context, const mus_pattern *pattern, co
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", pattern == NULL ? "pattern" : "out");
 
     mus_cloth_def own;
-    mus_fabric fabric;
-    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
+    mus_fabric fabric, jersey;
+    mus_fabric_init(&jersey, sizeof jersey);
+    mus_fabric_find("jersey", &jersey);
+    mus_status status = mus__cloth_def_read(context, def, &jersey, &own, &fabric);
     if (status != MUS_OK) return status;
     if (!(own.spacing >= SPACING_LEAST && own.spacing <= SPACING_MOST))
         return mus__fail(context, MUS_ERR_ARG, "spacing %g m is outside %g to %g m", own.spacing, SPACING_LEAST,

@@ -60,9 +60,10 @@ static const int32_t fabric_text[] = {0, 1, 1, 2, 3, 3, 3, 4, 5, 6, 7, 8};
 
 /* clang-format off */
 static const fabric_row fabric_table[] = {
-    FABRIC("jersey", "Single jersey, a light T-shirt knit",
+    FABRIC_LOOP("jersey", "Single jersey, a light T-shirt knit",
            0.16, "assumed", 300.0, 200.0, "assumed, at small strain", 40.0, "assumed, 0.7 gf/(cm deg)",
-           5e-6, "assumed", 0.6, COTTON_ON_SKIN, 0.6e-3, "assumed"),
+           5e-6, "assumed", 0.6, COTTON_ON_SKIN, 0.6e-3, "assumed",
+           0.294e-3, "assumed, 0.03 gf cm/cm"),
     FABRIC_ALL("cotton", "Plain woven cotton",
            0.1503, PENAVA, 21412.0, 21412.0, CONTROL_COTTON, 60.0, "assumed",
            11.57e-6, MATSUDAIRA ", broadcloth", 0.6, COTTON_ON_SKIN, 0.318e-3, PENAVA,
@@ -152,6 +153,7 @@ void mus_fabric_init(mus_fabric *fabric, size_t size)
 {
     mus_fabric own = {0};
     fabric_fill(&fabric_table[0], &own);
+    own.bend_hysteresis = 0.0; /* a sheet that is stepped in real time does without, and steps faster */
     mus__def_init(fabric, size, &own, sizeof own);
 }
 

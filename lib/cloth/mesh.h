@@ -72,8 +72,10 @@ void mus__mesh_curvature(const double *axis, int32_t n, const double *coef, cons
 mus_status mus__mesh_facings(mus__mesh *mesh);
 /* border_springs.c: soften springs and hinges that would ask for a much smaller step than the lattice does */
 mus_status mus__mesh_limit(mus__mesh *mesh);
-/* cloth.c: the defaults, then the caller's options, with its fabric in *fabric; all are checked but the spacing */
-mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, mus_cloth_def *own, mus_fabric *fabric);
+/* cloth.c: the defaults, then the caller's options, with its fabric in *fabric; all are checked but the spacing.
+ * `otherwise`: the fabric of who gives none; NULL: that of mus_fabric_init() */
+mus_status mus__cloth_def_read(mus_context *context, const mus_cloth_def *def, const mus_fabric *otherwise,
+                               mus_cloth_def *own, mus_fabric *fabric);
 /* coarse_cut.c: whether a cloth of these options has a coarser cut, and the spacing of that [m] */
 bool mus__cloth_coarser(const mus_cloth *cloth, const mus_cloth_def *def, double *spacing);
 /* coarse_cut.c: stiffens a fabric until its bending length is two cells of a coarser cut of that spacing [m]. Returns

@@ -226,7 +226,7 @@ mus_status mus_cloth_create_grid(mus_context *context, int32_t rows, int32_t col
         return mus__fail(context, MUS_ERR_ARG, "cloth: %s is NULL", cell == NULL ? "cell" : "out");
     mus_cloth_def own;
     mus_fabric fabric;
-    mus_status status = mus__cloth_def_read(context, def, &own, &fabric);
+    mus_status status = mus__cloth_def_read(context, def, NULL, &own, &fabric);
     if (status == MUS_OK) status = grid_check(context, rows, columns, cell);
     if (status != MUS_OK) return status;
 

@@ -103,8 +103,11 @@ START_TEST(the_strip_bends_by_the_springs_of_the_paper_too)
     mus_pattern *pattern = cut_begin(context);
     cut_rectangle(pattern, "sheet", 0.1, 0.08, NULL);
     mus_cloth_def def;
+    mus_fabric fabric;
     mus_cloth *cloth;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     def.bending = MUS_BEND_PAPER, def.paper_curvature = 10.0;
     CUT(mus_cloth_create(context, pattern, &def, &cloth));
     ck_assert_int_eq(cloth->nhinge + cloth->nbend, 0);
@@ -127,7 +130,7 @@ START_TEST(the_strip_bends_by_the_springs_of_the_paper_too)
             }
         }
     }
-    mus_cloth *plate = cut_cloth(context, pattern, 0.01, NULL);
+    mus_cloth *plate = cut_cloth(context, pattern, 0.01, &fabric);
     for (int way = 0; way < 2; way++) {
         const double moment = (energy[way][1] - energy[way][0]) / 0.02;
         double hinges = 0.0;
@@ -156,8 +159,10 @@ START_TEST(the_strip_bends_about_as_the_lattice_does)
      * squares (quadratic hinges alone: 1.5 there); nearly half of this panel is strip */
     mus_context *context = support_context();
     mus_pattern *pattern = cut_begin(context);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
     cut_rectangle(pattern, "sheet", 0.1, 0.08, NULL);
-    mus_cloth *cloth = cut_cloth(context, pattern, 0.01, NULL);
+    mus_cloth *cloth = cut_cloth(context, pattern, 0.01, &fabric);
     double *x = malloc(3 * (size_t)cloth->nnode * sizeof *x), bow = 1.0;
     for (double angle = 0.0; angle < 3.1; angle += 0.25) {
         for (int32_t i = 0; i < cloth->nnode; i++) {

@@ -91,10 +91,12 @@ START_TEST(no_hinge_leaves_half_to_double_its_first_value)
     /* against the value that its triangles alone give it: B / (A0 + A1) */
     mus_context *context = support_context();
     mus_pattern *pattern = cut_begin(context);
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
     int32_t edges[5];
     cut_skirt(pattern);
     cut_sleeve(pattern, edges);
-    mus_cloth *cloth = cut_cloth(context, pattern, 0.01, NULL);
+    mus_cloth *cloth = cut_cloth(context, pattern, 0.01, &fabric);
     int32_t changed = 0;
     for (int32_t h = 0; h < cloth->nhinge; h++) {
         const mus__hinge *hinge = &cloth->hinge[h];

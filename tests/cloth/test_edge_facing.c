@@ -27,7 +27,10 @@ static double faced_bending(const mus_cloth *cloth)
 static mus_cloth *faced_cloth(mus_context *context, const mus_pattern *pattern, double spacing, int32_t bending)
 {
     mus_cloth_def def;
+    mus_fabric fabric;
     mus_cloth_def_init(&def, sizeof def);
+    mus_fabric_init(&fabric, sizeof fabric);
+    def.fabric = &fabric;
     def.spacing = spacing, def.bending = bending, def.coarser = 0;
     mus_cloth *cloth;
     ck_assert_msg(mus_cloth_create(context, pattern, &def, &cloth) == MUS_OK, "%s", mus_context_error(context));

@@ -145,7 +145,7 @@ START_TEST(friction_of_bending_stands_for_half_of_the_loop)
 END_TEST
 
 
-START_TEST(the_default_is_jersey)
+START_TEST(the_default_is_jersey_without_friction_of_bending)
 {
     mus_fabric fabric, jersey;
     mus_fabric_init(&fabric, sizeof fabric);
@@ -153,6 +153,9 @@ START_TEST(the_default_is_jersey)
     mus_fabric_find("wool", &jersey);
     ck_assert_int_ne(memcmp(&fabric, &jersey, sizeof fabric), 0);
     mus_fabric_find("jersey", &jersey);
+    ck_assert_double_eq(fabric.bend_hysteresis, 0.0);
+    ck_assert_double_gt(jersey.bend_hysteresis, 0.0);
+    jersey.bend_hysteresis = 0.0;
     ck_assert_int_eq(memcmp(&fabric, &jersey, sizeof fabric), 0);
     ck_assert_int_eq(mus_fabric_find("tweed", &fabric), MUS_ERR_ARG);
     ck_assert_int_eq(mus_fabric_find(NULL, &fabric), MUS_ERR_ARG);
@@ -289,7 +292,7 @@ Suite *mus_suite_fabric(void)
     tcase_add_test(tests, every_named_fabric_is_found_and_has_a_source);
     tcase_add_test(tests, measured_rows_are_their_conversions);
     tcase_add_test(tests, friction_of_bending_stands_for_half_of_the_loop);
-    tcase_add_test(tests, the_default_is_jersey);
+    tcase_add_test(tests, the_default_is_jersey_without_friction_of_bending);
     tcase_add_test(tests, values_outside_their_range_are_named);
     tcase_add_test(tests, values_are_read_and_set_one_by_one);
     tcase_add_test(tests, a_fabric_of_the_release_before_is_taken);

@@ -103,6 +103,26 @@ START_TEST(one_call_gives_the_state_of_the_steps_one_by_one)
 END_TEST
 
 
+START_TEST(without_a_fabric_it_is_jersey_with_its_friction)
+{
+    worn w = skirt();
+    dressing d = dressing_start();
+    mus_fabric fabric;
+    mus_fabric_init(&fabric, sizeof fabric);
+    ck_assert_int_eq(dressing_run(&d, &w), MUS_OK);
+    const uint64_t without = mus_drape_hash(d.drape);
+    d.def.fabric = &fabric;
+    ck_assert_int_eq(dressing_run(&d, &w), MUS_OK);
+    ck_assert_uint_ne(mus_drape_hash(d.drape), without);
+    ck_assert_int_eq(mus_fabric_find("jersey", &fabric), MUS_OK);
+    ck_assert_int_eq(dressing_run(&d, &w), MUS_OK);
+    ck_assert_uint_eq(mus_drape_hash(d.drape), without);
+    dressing_end(&d);
+    worn_end(&w);
+}
+END_TEST
+
+
 START_TEST(a_start_in_the_body_is_left_for_the_found_one)
 {
     worn w = skirt_in_the_body();
@@ -330,6 +350,7 @@ Suite *mus_suite_dress(void)
     TCase *tests = tcase_create("dress");
     tcase_set_timeout(tests, 60.0);
     tcase_add_loop_test(tests, one_call_gives_the_state_of_the_steps_one_by_one, 0, 2);
+    tcase_add_test(tests, without_a_fabric_it_is_jersey_with_its_friction);
     tcase_add_test(tests, a_start_in_the_body_is_left_for_the_found_one);
     tcase_add_loop_test(tests, without_another_start_a_bad_one_is_refused_with_its_reason, 0, 2);
     tcase_add_test(tests, a_pattern_without_a_placement_starts_where_one_is_found);

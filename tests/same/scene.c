@@ -69,7 +69,7 @@ void same_cut_out(const same_run *run, const same_scene *scene, same_dressed *ou
     cut.spacing = 0.001 * scene->spacing;
     mus_fabric fabric;
     mus_fabric_init(&fabric, sizeof fabric);
-    if (scene->fabric != NULL) same_must(run, mus_fabric_find(scene->fabric, &fabric), scene->fabric);
+    same_must(run, mus_fabric_find(scene->fabric != NULL ? scene->fabric : "jersey", &fabric), "mus_fabric_find");
     cut.fabric = &fabric;
     if (scene->flags & SCENE_PAPER) cut.bending = MUS_BEND_PAPER;
     if (scene->flags & SCENE_ONE_CUT) cut.coarser = 0;

@@ -26,7 +26,8 @@ def fabrics() -> dict[str, str]:
 
 
 class Fabric:
-    """A fabric by name (the default one without), some of its numbers changed: Fabric("jersey", friction=0.4)."""
+    """A fabric by name, some of its numbers changed: Fabric("jersey", friction=0.4). Without a name it is jersey without
+    friction of bending, as a Cloth.grid is without a fabric."""
 
     def __init__(self, name: str | None = None, **options: Any) -> None:
         self.struct = make_def(_abi.mus_fabric, lib.mus_fabric_init)

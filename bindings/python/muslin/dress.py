@@ -104,8 +104,8 @@ def dress(garment: str | Pattern, wearer: Tape | Body | PathLike | None, fabric:
     garment: a Pattern, or what draft() takes: the name of a design, or words. wearer: a Body (and a Pattern), or a Tape
     or what Tape.of() takes ("W40", "me.tape"), of which a body is made; None for cloth without a body.
 
-    fabric: a name or a Fabric. strict: a garment that does not come to rest raises MuslinError; with False it is
-    returned with its reason. progress: progress(Progress) may return True to stop; True shows a bar where tqdm is
+    fabric: a name or a Fabric; jersey without one. strict: a garment that does not come to rest raises MuslinError;
+    with False it is returned with its reason. progress: progress(Progress) may return True to stop; True shows a bar where tqdm is
     installed. draft_options: ease, length, sleeve [m] (mus_draft_def). options (mus_dress_def): spacing [m],
     self_contact, precision (0: as the cloth asks, 32, 64), threads, friction, place ("both", "pattern" or "found"), retry, open_closures,
     nodes_most, progress_seconds. drape_options: all options of the drape instead (mus_drape_def).

@@ -88,7 +88,7 @@ def dressed(design, spacing, fabric=None, coarser=1, tape=None, **options):
     """(drape placed round its body, cloth, pattern)."""
     tape = tape or muslin.Tape.read(TAPE)
     pattern = muslin.draft(design, tape)
-    cloth = muslin.Cloth(pattern, fabric, spacing=spacing, coarser=coarser)
+    cloth = muslin.Cloth(pattern, fabric or muslin.Fabric(), spacing=spacing, coarser=coarser)
     drape = muslin.Drape(cloth, muslin.Body(tape), **options)
     drape.place()
     return drape, cloth, pattern

@@ -25,7 +25,7 @@ def garments(design, contact, spacing, fabric=None):
     """make(precision, integrator) of a garment at rest on its body, which gravity then tilts."""
     tape = muslin.Tape.read(garment.TAPE)
     pattern, body = muslin.draft(design, tape), muslin.Body(tape)
-    cloth = muslin.Cloth(pattern, muslin.Fabric(fabric) if fabric else None, spacing=spacing)
+    cloth = muslin.Cloth(pattern, muslin.Fabric(fabric), spacing=spacing)
     still = scene_garments.at_rest(cloth, body)
     return scene_garments.maker(cloth, body, still, contact)
 

@@ -56,7 +56,7 @@ def tshirt(spacing=0.0087, spans=BUDGETS, seconds=15.0, more=0.01):
     """Rows of: budgets on fine and coarser cuts, plain RK4 with drag, other starts, a refit after 10 mm more girth."""
     tape = muslin.Tape.read(garment.TAPE)
     body, pattern = muslin.Body(tape), muslin.draft("tshirt", tape)
-    cloth = muslin.Cloth(pattern, spacing=spacing)
+    cloth = muslin.Cloth(pattern, muslin.Fabric(), spacing=spacing)
 
     def placed(of=cloth, on=body, **options):
         drape = muslin.Drape(of, on, **options)
@@ -94,9 +94,9 @@ def others(cloth, pattern, body, spacing, reference, line, placed, ended, second
     def keep(name, drape, found):
         rows.append(measure.row(**line, quantity="spread", variant=name, **found, **far(drape.positions, reference)))
 
-    flat = muslin.Cloth(pattern, spacing=spacing, coarser=0)
+    flat = muslin.Cloth(pattern, muslin.Fabric(), spacing=spacing, coarser=0)
     keep("no coarser cuts", *ended(placed(of=flat, settle_seconds=seconds, settle_residual=1e-3)))
-    wide, _ = ended(placed(of=muslin.Cloth(pattern, spacing=1.5 * spacing), settle_seconds=seconds))
+    wide, _ = ended(placed(of=muslin.Cloth(pattern, muslin.Fabric(), spacing=1.5 * spacing), settle_seconds=seconds))
     drape = placed(settle_seconds=seconds, settle_residual=1e-3)
     drape.warm(wide)
     keep("from the shape of a cloth of 1.5 times the spacing", *ended(drape, sew=False))
@@ -112,7 +112,7 @@ def refit(tape, long, line, placed, seconds, more, spans):
     wider["bust"] = wider["bust"] + more
     start = time.process_time()
     body, pattern = muslin.Body(wider), muslin.draft("tshirt", wider)
-    anew = muslin.Cloth(pattern, spacing=line["spacing_mm"] / 1e3)
+    anew = muslin.Cloth(pattern, muslin.Fabric(), spacing=line["spacing_mm"] / 1e3)
     made = time.process_time() - start
 
     def warm(**options):

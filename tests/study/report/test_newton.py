@@ -28,7 +28,7 @@ def test_a_hanging_sheet_has_one_shape_from_two_starts():
 
 def test_the_stiffness_is_the_derivative_of_the_forces_across_seams_too():
     tape = muslin.Tape.size("W40")
-    cloth = muslin.Cloth(muslin.draft("tshirt", tape), spacing=0.05)
+    cloth = muslin.Cloth(muslin.draft("tshirt", tape), muslin.Fabric(), spacing=0.05)
     drape = muslin.Drape(cloth, muslin.Body(tape), precision=64)
     drape.place()
     drape.sew()

@@ -367,13 +367,10 @@ static mus_status simulate(mus_context *context, size_t row, double spacing, dre
 {
     mus_tape *other = NULL;
     mus_cloth_def cut;
-    mus_fabric slack; /* without friction of bending, which lets trousers that are too wide stand on the crotch */
     memset(d, 0, sizeof *d);
     mus_worn_init(worn, sizeof *worn);
     mus_cloth_def_init(&cut, sizeof cut);
-    mus_fabric_init(&slack, sizeof slack);
     cut.spacing = spacing;
-    cut.fabric = &slack;
     mus_status status = size_tape(context, simulated[row].drafted, &other);
     if (status == MUS_OK) status = size_tape(context, simulated[row].body, &d->tape);
     if (status == MUS_OK) status = mus_body_create(context, d->tape, NULL, &d->body);

@@ -4,6 +4,7 @@
  * Seams are closed with fingers held together and without feet (mus__collider_spread()): a foot that stands in a
  * trouser leg while that is drawn shut comes through its cloth. Then a foot comes in from above, as one steps into
  * trousers: a node that lies in it, or under it, is lifted over it. One that stayed under the sole would hook the hem.
+ * What hangs lower than the floor beside the foot is lifted to it, or long cloth would be torn open there.
  *
  * Nodes alone meet the body, so a triangle can come to lie with a thumb through its middle; its nodes, outside of the
  * thumb on all sides, then hold it there. Such a triangle meets the axis of the thumb. No surface that is worn meets
@@ -104,8 +105,9 @@ static bool step_up(const mus__collider *collider, uint64_t feet, double top, do
 }
 
 
-/* lifts the nodes that lie in a foot, or under it, or nearer to it than they keep off, over it; returns their number.
- * Cloth that came to rest lies on feet that are in already */
+/* lifts the nodes that lie in a foot, or under it, or nearer to it than they keep off, over it, and with them all that
+ * are lower than the floor (Y = 0) to that; returns the number of those over a foot. Cloth that came to rest lies on
+ * feet that are in already */
 static int32_t step_in(mus_drape *drape)
 {
     const mus__collider *collider = drape->scene.collider;
@@ -120,6 +122,10 @@ static int32_t step_in(mus_drape *drape)
         if (drape->pinned[drape->rep[i]] || !step_up(collider, feet, top, off, x)) continue;
         x[1] += STEP_ORDER * (was - lowest);
         found++;
+    }
+    for (int32_t i = 0; i < drape->n && found > 0; i++) {
+        double *y = drape->x + 3 * (int64_t)i + 1;
+        if (!drape->pinned[drape->rep[i]]) *y = fmax(*y, STEP_ORDER * (*y - lowest));
     }
     return found;
 }

@@ -731,6 +731,7 @@ struct mus_dress_def {
     void *progress_user;
     double progress_seconds;
     int32_t nodes_most;
+    double seconds_most;
 };
 
 struct mus_dress_report {

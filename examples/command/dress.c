@@ -57,6 +57,7 @@ static mus_status put_on(dress *d)
     def.retry = d->mesh.file == NULL && d->over.count == 0;
     if (d->place != NULL)
         def.place = strcmp(d->place, "found") == 0 ? MUS_DRESS_PLACE_FOUND : MUS_DRESS_PLACE_PATTERN;
+    def.seconds_most = d->limit;
     def.progress = show ? show_progress : d->progress;
     def.progress_user = d->progress_user;
     const mus_status status =
@@ -361,6 +362,7 @@ static int read_options(dress *d, int argc, char **argv)
          "FILE  write the garment of each frame of --move as a point cache"},
         {"--report", OPTION_OUTPUT, &d->report, 0, 0, "FILE  write the report as JSON"},
         {"--json", OPTION_STDOUT, &d->as_json, 0, 0, "the report on standard output"},
+        {"--limit", OPTION_NUMBER, &d->limit, 0.001, 1e6, "S  seconds that it may take, default no limit"},
         {"--quiet", OPTION_FLAG, &d->quiet, 0, 0, "no progress on the terminal"},
         {"--batch", OPTION_TEXT, &d->batch, 0, 0,
          "LIST  dress many garments, one a line; see muslin dress --batch --help"},

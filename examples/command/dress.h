@@ -18,6 +18,7 @@ typedef struct dress {
     const char *batch; /* for the help only: batch.c reads this option */
     double spacing_mm, nodes, threads, precision, friction;
     double turn; /* pictures of one turn; 0: none */
+    double limit; /* seconds that a single garment may take; 0: no limit */
     bool as_json, quiet, self_contact, open;
     texts over; /* garments over the first, with self_contact */
     motion moved;

@@ -47,6 +47,8 @@ typedef struct mus_dress_def {
     double progress_seconds;    /* wall time between two calls of progress at least [s], default 0.1. Not read with
                                  * `drape` */
     int32_t nodes_most;         /* of the cloth, as in mus_cloth_def: default MUS_CLOTH_NODES, 1..2^24 */
+    double seconds_most;        /* wall time that sewing and settling may take, all starts together [s]; 0 (default):
+                                 * no limit. Looked at when progress would be called */
 } mus_dress_def;
 
 /** Zero `def`, write the defaults and its size. `size` is sizeof(mus_dress_def) of the caller. */
@@ -100,7 +102,8 @@ MUS_API void mus_dress_report_init(mus_dress_report *report, size_t size);
  *          MUS_ERR_BODY (a placement must be found, round a body not made of a tape); MUS_ERR_SEW (a bad start,
  *          or a seam stays open); MUS_ERR_UNSETTLED (no rest; not worn at rest; or an opening is far too small for its
  *          limb, which is told before anything is sewn); MUS_ERR_TANGLED (at rest, but
- *          cloth crosses cloth); MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`); MUS_ERR_MEMORY
+ *          cloth crosses cloth); MUS_ERR_DIVERGED; MUS_ERR_STOPPED (by `progress`, or seconds_most are over);
+ *          MUS_ERR_MEMORY
  * Memory:  at most three cloths and three drapes at one time
  * Cost:    a T-shirt at 0.01 m takes about a second, with self_contact some seconds
  */

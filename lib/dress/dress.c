@@ -329,6 +329,9 @@ static mus_status dress_options(mus__dress *call, const mus_dress_def *def)
     if (status == MUS_OK && (place < MUS_DRESS_PLACE_BOTH || place > MUS_DRESS_PLACE_FOUND))
         status = mus__fail(call->context, MUS_ERR_ARG, "dress: place is %d, expected %d to %d", (int)place,
                            MUS_DRESS_PLACE_BOTH, MUS_DRESS_PLACE_FOUND);
+    if (status == MUS_OK && !(call->def.seconds_most >= 0.0 && mus__finite(call->def.seconds_most)))
+        status = mus__fail(call->context, MUS_ERR_ARG, "dress: seconds_most is %g, expected 0 or more",
+                           call->def.seconds_most);
     return status;
 }
 
@@ -355,7 +358,7 @@ mus_status mus_dress(mus_context *context, const mus_pattern *pattern, const mus
     mus_status status = dress_check_sizes(context, report, reason);
     if (status != MUS_OK) return status;
 
-    mus__dress call = {.context = context, .body = body};
+    mus__dress call = {.context = context, .body = body, .start = mus__progress_time()};
     mus__dress_start kept = {.status = MUS_OK};
     mus_pattern *own = NULL;
     mus_dress_report_init(&call.report, sizeof call.report);

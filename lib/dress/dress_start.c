@@ -28,12 +28,22 @@
 #define LOWER_FRAMES 60   /* parts of it, after each of which the progress function is called */
 
 
-/* the caller's progress function; remembers that it stopped the run */
+/* the caller's progress function, and a look at the time; remembers that either stopped the run */
 static int32_t start_progress(void *user, const mus_progress *progress)
 {
     mus__dress *call = user;
-    if (call->stopped == 0) call->stopped = call->def.progress(call->def.progress_user, progress);
+    const double most = call->def.seconds_most;
+    if (call->stopped == 0 && call->def.progress != NULL)
+        call->stopped = call->def.progress(call->def.progress_user, progress);
+    if (call->stopped == 0) call->stopped = call->late = most > 0.0 && mus__progress_time() - call->start > most;
     return call->stopped;
+}
+
+
+/* what the runs of a start call, NULL: nothing */
+static mus_progress_fn start_listener(const mus__dress *call)
+{
+    return call->def.progress != NULL || call->def.seconds_most > 0.0 ? start_progress : NULL;
 }
 
 
@@ -161,6 +171,10 @@ static void start_note(mus__dress *call, double time, mus__dress_start *start)
 {
     mus_reason *why = &start->reason;
     snprintf(start->text, sizeof start->text, "%s", mus_context_error(call->context));
+    if (start->status == MUS_ERR_STOPPED && call->late) {
+        snprintf(start->text, sizeof start->text, "no end after %.9g s", call->def.seconds_most);
+        why->text[0] = '\0';
+    }
     if (start->refused || start->status == MUS_ERR_TANGLED || why->kind == MUS_REASON_NOT_WORN)
         snprintf(start->text, sizeof start->text, "%s", why->text);
     if (start->status != MUS_OK && why->text[0] == '\0') snprintf(why->text, sizeof why->text, "%.255s", start->text);
@@ -180,7 +194,7 @@ void mus__dress_sew(mus__dress *call, const mus_pattern *pattern, int32_t place,
     if (start->status == MUS_OK) start->status = start_look(call, start);
     if (start->status == MUS_OK) {
         const double began = mus__progress_time();
-        start->status = mus_drape_sew(start->drape, call->def.progress != NULL ? start_progress : NULL, call);
+        start->status = mus_drape_sew(start->drape, start_listener(call), call);
         call->report.sew_seconds += mus__progress_time() - began;
     }
     if (start->status != MUS_OK) {
@@ -204,7 +218,7 @@ static mus_status start_lower(mus__dress *call, mus__dress_start *start)
     mus_pose_init(&pose, sizeof pose);
     mus_status status = mus_body_stance(call->body, &pose);
     if (status != MUS_OK) return status;
-    status = mus__progress_start(&run, drape, "settle", call->def.progress != NULL ? start_progress : NULL, call);
+    status = mus__progress_start(&run, drape, "settle", start_listener(call), call);
     if (status != MUS_OK) return status;
     status = mus_drape_pose_body(drape, &pose, LOWER_SECONDS);
     for (int32_t k = 0; k < LOWER_FRAMES && status == MUS_OK && !run.stop; k++) {
@@ -224,7 +238,7 @@ static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hoo
     mus__progress run;
     hood->count = 0;
     if (call->body == NULL) return MUS_OK;
-    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    mus_progress_fn progress = start_listener(call);
     mus_status status = mus__progress_start(&run, start->drape, "settle", progress, call);
     if (status != MUS_OK) return status;
     status = mus__hood_back(start->drape, start->pattern, call->body, &run, hood);
@@ -236,7 +250,7 @@ static mus_status start_hood(mus__dress *call, mus__dress_start *start, mus__hoo
 static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_start *start, mus__hood_edge *hood)
 {
     mus__progress run;
-    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    mus_progress_fn progress = start_listener(call);
     if (status == MUS_OK) status = mus__progress_start(&run, start->drape, "settle", progress, call);
     if (status == MUS_OK) {
         status = mus__settle_roughly(start->drape, &run);
@@ -251,7 +265,7 @@ static mus_status start_let_go(mus__dress *call, mus_status status, mus__dress_s
  * came, as long folds do: it is on its way, and nearer to rest than another start is */
 static mus_status start_settle(mus__dress *call, mus__dress_start *start)
 {
-    mus_progress_fn progress = call->def.progress != NULL ? start_progress : NULL;
+    mus_progress_fn progress = start_listener(call);
     mus_drape_report report;
     mus_drape_report_init(&report, sizeof report);
     mus_status status = mus_drape_settle(start->drape, progress, call);

@@ -14,7 +14,9 @@ typedef struct mus__dress {
     mus_dress_def def;
     mus_drape_def drape;
     mus_dress_report report;
-    int32_t stopped; /* nonzero: the progress function stopped the run */
+    double start;    /* wall time at which the call began [s] */
+    int32_t stopped; /* nonzero: the run was stopped, by the progress function or because its time is over */
+    int32_t late;    /* nonzero: its time is over */
 } mus__dress;
 
 /* one start and how it ended */

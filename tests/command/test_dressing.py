@@ -294,6 +294,15 @@ def test_a_garment_that_cannot_be_worn_is_told_with_a_report(dress, patterns, tm
 
 # ---- where it starts ----
 
+def test_a_garment_over_its_time_is_written_as_far_as_it_got(dress, tape, tmp_path):
+    picture = tmp_path / "late.png"
+    report, done = dress("--design", "full_skirt_midi", "--tape", tape, "--spacing", 30, "--limit", 0.001, "--png", picture,
+                         code=1)
+    assert report["status"] == "stopped" and report["reason"] == "no end after 0.001 s"
+    assert len(report["starts"]) == 1 and picture.stat().st_size > 10000
+    assert done.stderr.splitlines() == [b"muslin dress: no end after 0.001 s"]
+
+
 def test_a_start_is_found_where_the_pattern_has_none(dress, patterns, tape, tmp_path):
     pattern = json.loads(patterns("tshirt").read_text())
     for panel in pattern["panels"]:

@@ -238,6 +238,55 @@ START_TEST(a_stopped_run_says_so_and_tries_no_more)
 END_TEST
 
 
+static int32_t count_calls(void *user, const mus_progress *progress)
+{
+    (void)progress;
+    ++*(int32_t *)user;
+    return 0;
+}
+
+
+/* a run that may take next to no time ends at the first look at the clock, with and without a progress function; one
+ * that has an hour is the same as one without a limit */
+START_TEST(a_run_over_its_time_says_so_and_tries_no_more)
+{
+    worn w = skirt();
+    int32_t calls = 0;
+    for (int32_t k = 0; k < 2; k++) {
+        dressing d = dressing_start();
+        d.def.seconds_most = 1e-9;
+        if (k > 0) d.def.progress = count_calls, d.def.progress_user = &calls;
+        ck_assert_int_eq(dressing_run(&d, &w), MUS_ERR_STOPPED);
+        ck_assert_int_eq(d.report.starts, 1);
+        ck_assert_ptr_nonnull(d.drape);
+        ck_assert_int_eq(d.reason.kind, MUS_REASON_STOPPED);
+        ck_assert_str_eq(d.reason.text, "no end after 1e-09 s");
+        ck_assert_str_eq(d.reason.text, mus_context_error(w.context));
+        dressing_end(&d);
+    }
+    ck_assert_int_eq(calls, 1);
+    uint64_t hash[2];
+    for (int32_t k = 0; k < 2; k++) {
+        dressing d = dressing_start();
+        d.def.seconds_most = k == 0 ? 0.0 : 3600.0;
+        ck_assert_int_eq(dressing_run(&d, &w), MUS_OK);
+        hash[k] = mus_drape_hash(d.drape);
+        dressing_end(&d);
+    }
+    ck_assert_uint_eq(hash[0], hash[1]);
+    static const double bad[] = {-1.0, NAN, INFINITY};
+    for (int32_t k = 0; k < 3; k++) {
+        dressing d = dressing_start();
+        d.def.seconds_most = bad[k];
+        ck_assert_int_eq(dressing_run(&d, &w), MUS_ERR_ARG);
+        ck_assert_ptr_nonnull(strstr(mus_context_error(w.context), "seconds_most is"));
+        dressing_end(&d);
+    }
+    worn_end(&w);
+}
+END_TEST
+
+
 START_TEST(closures_are_left_open_in_a_copy)
 {
     worn w = worn_body("W40");
@@ -356,6 +405,7 @@ Suite *mus_suite_dress(void)
     tcase_add_test(tests, a_pattern_without_a_placement_starts_where_one_is_found);
     tcase_add_test(tests, a_pattern_at_fault_gives_nothing_but_the_fault);
     tcase_add_test(tests, a_stopped_run_says_so_and_tries_no_more);
+    tcase_add_test(tests, a_run_over_its_time_says_so_and_tries_no_more);
     tcase_add_test(tests, closures_are_left_open_in_a_copy);
     tcase_add_test(tests, arguments_are_looked_at);
     tcase_add_test(tests, without_memory_nothing_is_lost);

@@ -24,6 +24,7 @@ START_TEST(dress_options_that_are_not_finite_are_refused_by_name)
 {
     static const refused_field fields[] = {
         REFUSED(mus_dress_def, spacing, 1, false, "spacing"),
+        REFUSED(mus_dress_def, seconds_most, 1, false, "seconds_most"),
     };
     mus_dress_def def;
     mus_drape_def still;

@@ -69,6 +69,9 @@ def test_progress_stops_and_raises():
     assert stopped.status == "MUS_ERR_STOPPED" and stopped.reason["name"] == "stopped"
     assert [told.phase for told in seen] == ["sew"]
 
+    late = muslin.dress("skirt", tape, spacing=0.03, strict=False, seconds_most=1e-9)
+    assert late.status == "MUS_ERR_STOPPED" and late.reason["text"] == "no end after 1e-09 s"
+
     def broken(told):
         raise KeyError(told.phase)
     with pytest.raises(KeyError, match="sew"):

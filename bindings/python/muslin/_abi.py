@@ -635,7 +635,8 @@ mus_dress_def._fields_ = [("size", c_size_t), ("spacing", c_double), ("fabric", 
                           ("self_contact", c_int32), ("precision", c_int32), ("threads", c_int32),
                           ("friction", c_double), ("drape", POINTER(mus_drape_def)), ("place", c_int32),
                           ("retry", c_int32), ("open_closures", c_int32), ("progress", mus_progress_fn),
-                          ("progress_user", c_void_p), ("progress_seconds", c_double), ("nodes_most", c_int32)]
+                          ("progress_user", c_void_p), ("progress_seconds", c_double), ("nodes_most", c_int32),
+                          ("seconds_most", c_double)]
 mus_dress_report._fields_ = [("size", c_size_t), ("found", c_int32), ("starts", c_int32), ("kept", c_int32),
                              ("start_place", c_int32 * 8), ("start_patient", c_int32 * 8), ("start_end", c_int32 * 8),
                              ("start_seconds", c_double * 8), ("place_seconds", c_double), ("cut_seconds", c_double),

@@ -108,7 +108,8 @@ def dress(garment: str | Pattern, wearer: Tape | Body | PathLike | None, fabric:
     with False it is returned with its reason. progress: progress(Progress) may return True to stop; True shows a bar where tqdm is
     installed. draft_options: ease, length, sleeve [m] (mus_draft_def). options (mus_dress_def): spacing [m],
     self_contact, precision (0: as the cloth asks, 32, 64), threads, friction, place ("both", "pattern" or "found"), retry, open_closures,
-    nodes_most, progress_seconds. drape_options: all options of the drape instead (mus_drape_def).
+    nodes_most, progress_seconds, seconds_most [s of wall time, 0: no limit; over it the run ends with
+    MUS_ERR_STOPPED, as far as it got]. drape_options: all options of the drape instead (mus_drape_def).
     """
     if not isinstance(wearer, (Body, type(None))):
         wearer = Tape.of(wearer)

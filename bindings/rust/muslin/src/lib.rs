@@ -299,6 +299,8 @@ pub struct DressOptions {
     /// A pattern that takes more nodes is refused: set it before reading what strangers send.
     pub nodes_most: i32,
     pub progress_seconds: f64,
+    /// Wall time that the run may take [s]; over it the run ends with `ERR_STOPPED`. 0: no limit.
+    pub seconds_most: f64,
 }
 
 impl Default for DressOptions {
@@ -315,6 +317,7 @@ impl Default for DressOptions {
             open_closures: def.open_closures != 0,
             nodes_most: def.nodes_most,
             progress_seconds: def.progress_seconds,
+            seconds_most: def.seconds_most,
         }
     }
 }
@@ -379,6 +382,7 @@ where
     def.open_closures = options.open_closures.into();
     def.nodes_most = options.nodes_most;
     def.progress_seconds = options.progress_seconds;
+    def.seconds_most = options.seconds_most;
     def.progress = Some(forward::<F>);
     def.progress_user = &mut hook as *mut Hook<F> as *mut c_void;
 

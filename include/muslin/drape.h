@@ -92,6 +92,7 @@ MUS_API mus_status mus_drape_place(mus_drape *drape);
  * little) of the pattern. Seams are welded when those of `from` are.
  *
  * Panels correspond by index, places in a panel relative to its box. `from` may have another spacing and precision.
+ * Friction of bending (mus_fabric.bend_hysteresis) begins anew, as in flat cloth that was bent once to where it lies.
  * Errors:  MUS_ERR_ARG (NULL, another number of panels), MUS_ERR_MEMORY; the drape is as it was
  * Cost:    about 1 us a node
  */

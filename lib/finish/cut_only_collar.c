@@ -65,13 +65,14 @@ static void collar_at(mus__cut_only *job, const collar_rim *rim, int32_t i, doub
 
 
 /* the place of the under-collar's outline at s of rim edge i: drawn in to the left of the walk; at a corner along the
- * line between both edges */
-static void collar_point(mus__cut_only *job, const collar_rim *rim, int32_t i, double s, double *out)
+ * line between both edges. Returns how far a corner has moved along both its edges [m]: what is nearer to it than that
+ * on either lies beyond the corner of the under-collar */
+static double collar_point(mus__cut_only *job, const collar_rim *rim, int32_t i, double s, double *out)
 {
     double along[2], other[2], p[2], q[2];
     collar_at(job, rim, i, s, p, along);
     memcpy(out, p, sizeof p);
-    if (!rim->outer[i]) return;
+    if (!rim->outer[i]) return 0.0;
     const int32_t before = (i + rim->n - 1) % rim->n;
     const double on = rim->at[i] + s;
     const double by = COLLAR_IN * fmax(0.0, fmin(1.0, fmin(on, rim->run[i] - on) / COLLAR_TAPER));
@@ -81,6 +82,7 @@ static void collar_point(mus__cut_only *job, const collar_rim *rim, int32_t i, d
     const double part = by / fmax(1.0 + along[0] * other[0] + along[1] * other[1], 0.2);
     out[0] -= part * (along[1] + other[1]);
     out[1] += part * (along[0] + other[0]);
+    return part * fabs(along[0] * other[1] - along[1] * other[0]);
 }
 
 
@@ -104,19 +106,22 @@ static void collar_notches(mus__cut_only *job, const collar_rim *rim, int32_t ma
 static void collar_under(mus__cut_only *job, int32_t panel, const collar_rim *rim, int32_t main, int32_t image)
 {
     mus__cut_shape shape;
-    double p[2], grain[2];
+    double p[2], corner[2], grain[2];
     char name[2 * MUS__NAME_BYTES];
-    collar_point(job, rim, rim->first, 0.0, p);
-    mus__cut_shape_begin(&shape, "layer", p[0], p[1]);
-    for (int32_t k = 0; k < rim->n; k++) {
+    double from = collar_point(job, rim, rim->first, 0.0, corner), to;
+    mus__cut_shape_begin(&shape, "layer", corner[0], corner[1]);
+    for (int32_t k = 0; k < rim->n; k++, from = to) {
         const int32_t i = (rim->first + k) % rim->n, edge = rim->edge[i];
         const double length = mus_pattern_edge_length(job->pattern, edge);
         const int32_t n = (int32_t)fmin(ceil(length / COLLAR_CHORD), (double)(MUS__CUT_POINTS / rim->n));
-        for (int32_t j = 1; j <= n; j++) {
-            if (j < n) collar_point(job, rim, i, length * j / n, p);
-            else collar_point(job, rim, (i + 1) % rim->n, 0.0, p);
+        to = collar_point(job, rim, (i + 1) % rim->n, 0.0, corner);
+        for (int32_t j = 1; j < n; j++) {
+            const double s = length * j / n;
+            if (s <= from || length - s <= to) continue;
+            collar_point(job, rim, i, s, p);
             mus__cut_shape_to(&shape, p[0], p[1]);
         }
+        mus__cut_shape_to(&shape, corner[0], corner[1]);
         mus__cut_shape_edge(&shape, mus_pattern_edge_name(job->pattern, edge),
                             mus_pattern_edge_label(job->pattern, edge), mus_pattern_edge_allowance(job->pattern, edge));
     }

@@ -251,6 +251,42 @@ START_TEST(an_under_collar_is_drawn_in_at_its_outer_edge)
 END_TEST
 
 
+/* the group of designs, MUS_GROUP_*, that a table size is of, by its letter */
+static int32_t group_of(const char *size)
+{
+    return size[0] == 'W' ? MUS_GROUP_WOMEN : size[0] == 'M' ? MUS_GROUP_MEN : MUS_GROUP_CHILDREN;
+}
+
+
+/* no outline crosses itself, whether the points of a collar are drawn in by more or by less than its chords are long */
+START_TEST(under_collars_can_be_cut_in_every_size)
+{
+    static const char *const names[] = {"shirt", "polo", "blouse_peter_pan_short", "coat", "stand_blouse", "middy"};
+    mus_context *context = support_context();
+    int32_t sound = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        for (int32_t k = 0; k < mus_tape_size_count(); k++) {
+            const char *size = mus_tape_size_name(k);
+            if ((mus_design_groups(mus_design_find(names[i])) & group_of(size)) == 0) continue;
+            mus_pattern *pattern = drafts_pattern(context, names[i], size);
+            mus_faults *faults = NULL;
+            int32_t count = 0;
+            ck_assert_int_eq(mus_pattern_check(mus_pattern_cut_only(pattern), &count, &faults), MUS_OK);
+            for (int32_t f = 0; f < count; f++) {
+                int32_t kind;
+                ck_assert_int_eq(mus_faults_item(faults, f, &kind, NULL, NULL, NULL), MUS_OK);
+                ck_assert_msg(kind != MUS_FAULT_CROSSING, "%s of %s: %s", names[i], size, mus_faults_text(faults, f));
+            }
+            sound++;
+            mus_faults_destroy(faults);
+            mus_pattern_destroy(pattern);
+        }
+    ck_assert_int_gt(sound, 100);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* bag and facing of a front pocket have the waist of the leg to the same place, and the facing covers the opening */
 START_TEST(a_front_pocket_fills_what_is_cut_away)
 {
@@ -313,6 +349,7 @@ Suite *mus_suite_cut_only(void)
     tcase_add_test(tcase, no_corner_is_inside_the_inner_edge_of_a_facing);
     tcase_add_test(tcase, what_is_sewn_on_has_the_notches_of_its_edge);
     tcase_add_test(tcase, an_under_collar_is_drawn_in_at_its_outer_edge);
+    tcase_add_test(tcase, under_collars_can_be_cut_in_every_size);
     tcase_add_test(tcase, a_front_pocket_fills_what_is_cut_away);
     tcase_add_test(tcase, strips_have_the_lengths_of_their_edges);
     suite_add_tcase(suite, tcase);

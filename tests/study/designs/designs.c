@@ -97,7 +97,7 @@ static bool note(page *p, const options *o, const char *name, const char *whom, 
     if (one->notches > 0 && p->notches == 0) snprintf(p->notch_of, sizeof p->notch_of, "%s", who);
     p->notches += one->notches > 0;
     if (o->list && one->notches > 0) printf("  %s: %d seams whose notches do not meet\n", who, one->notches);
-    if (o->list && one->crossings > 0) printf("  %s: panel %d meets itself\n", who, one->crossing);
+    if (o->list && one->crossings > 0) printf("  %s: panel %s meets itself\n", who, one->crossing);
     return one->seam <= 5e-4 && one->dart <= 1e-4 && one->crossings == 0 && one->notches == 0;
 }
 

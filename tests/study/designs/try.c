@@ -12,7 +12,7 @@
 #include <time.h>
 
 #define CHORDS 12
-#define LINE 256 /* points of an edge */
+#define LINE 520 /* points of an edge; a facing has 513 at most */
 #define MOST_CHORDS 4096
 #define NOTCHES 64
 #define NOTCH_OFF 1e-6   /* [m] notches that meet are so far apart at most */
@@ -154,6 +154,16 @@ static bool outline_crosses(const mus_pattern *pattern, int32_t panel)
 }
 
 
+static void look_at_outlines(const mus_pattern *pattern, design_try *out)
+{
+    for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++) {
+        if (!outline_crosses(pattern, p)) continue;
+        out->crossings++;
+        snprintf(out->crossing, sizeof out->crossing, "%s", mus_pattern_panel_name(pattern, p));
+    }
+}
+
+
 /* ---- a draft ---- */
 
 static double cpu(void)
@@ -177,8 +187,8 @@ void try_draft(mus_context *context, int design, const mus_tape *tape, design_tr
         out->panels = mus_pattern_panel_count(pattern);
         out->seams = mus_pattern_seam_count(pattern);
         look_at_seams(pattern, out);
-        for (int32_t p = 0; p < out->panels; p++)
-            if (outline_crosses(pattern, p)) out->crossings++, out->crossing = p;
+        look_at_outlines(pattern, out);
+        if (mus_pattern_cut_only(pattern) != NULL) look_at_outlines(mus_pattern_cut_only(pattern), out);
     }
     if (kept != NULL) *kept = pattern;
     else mus_pattern_destroy(pattern);

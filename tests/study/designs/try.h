@@ -21,8 +21,8 @@ typedef struct design_try {
     int notches;         /* seams whose two edges differ in number, kind or place of their notches, or have two of them
                             within 10 mm */
     int notch;           /* one of those seams */
-    int crossings;       /* outlines that meet themselves, as chords */
-    int crossing;        /* one of those panels */
+    int crossings;       /* outlines that meet themselves, as chords, of what is draped and of what is cut only */
+    char crossing[64];   /* one of those panels */
     int panels, seams;
 } design_try;
 

@@ -57,9 +57,15 @@ static void marks_half(mus__drawing *out, const mus__piece *piece)
 {
     const int32_t n = piece->cut.n;
     int32_t first = 0;
-    for (int32_t i = 0; i < n; i++)
-        if (marks_on_fold(piece, piece->cut.xy + 2 * i) && marks_on_fold(piece, piece->cut.xy + 2 * ((i + 1) % n)))
-            first = (i + 1) % n;
+    double longest = -1.0;
+    for (int32_t i = 0; i < n; i++) {
+        const double *p = piece->cut.xy + 2 * i, *q = piece->cut.xy + 2 * ((i + 1) % n);
+        const double length = fabs(q[1 - piece->across] - p[1 - piece->across]);
+        /* a corner on the fold line is there twice: the longest part on it is the fold line */
+        if (!marks_on_fold(piece, p) || !marks_on_fold(piece, q) || length <= longest) continue;
+        longest = length;
+        first = (i + 1) % n;
+    }
     for (int32_t i = 0; i < n; i++) {
         const double *p = piece->cut.xy + 2 * ((first + i) % n);
         if (i == 0) mus__draw_move(out, p[0], p[1]);

@@ -158,7 +158,7 @@ def test_each_size_is_a_layer_that_is_on(tmp_path):
     assert subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stderr == ""
 
 
-@pytest.mark.parametrize("design, most", [("tshirt", 12), ("pencil_skirt_knee", 8)])
+@pytest.mark.parametrize("design, most", [("tshirt", 12), ("pencil_skirt_knee", 8), ("full_skirt_midi", 22)])
 def test_paper_of_halves_is_short_and_unfolds_to_the_pattern(tmp_path, design, most):
     """What `make dress` prints, read from the content stream by code of its own: pages, lines of pages, halves unfolded."""
     sys.path.insert(0, str(ROOT / "tests/study/paper"))
@@ -169,7 +169,7 @@ def test_paper_of_halves_is_short_and_unfolds_to_the_pattern(tmp_path, design, m
     subprocess.run([BIN / "muslin", "print", "--design", design, "--tape", ROOT / "examples/tapes/w40.tape", "--fold",
                     "--pdf", pdf], check=True, capture_output=True)
     assert len(paper.pdf_pages(pdf)) <= most
-    garment = {"tshirt": "top", "pencil_skirt_knee": "skirt"}[design]
+    garment = "top" if design == "tshirt" else "skirt"
     _, _, worst, count = paper.check_design((str(BIN / "muslin"), design, garment, "W40"))
     assert worst["pages"][0] == 0.0 and count["halves"] >= 1, worst["pages"]
     # [mm] from the pattern's edges to the sew lines of whole pieces, and from whole pieces to unfolded halves

@@ -238,6 +238,8 @@ def check_halves(pieces, half, note):
         closed, points = rest.pop(min(range(len(rest)), key=lambda k: unlike(piece, rest[k])))
         if closed:
             continue
+        if math.dist(points[0], points[-1]) < 1.0:
+            note("unfold", 99.0, "the fold is drawn as a line to cut")
         note("unfold", min(unfolded(whole, [(fx * p[0], fy * p[1]) for p in line])
                            for line in (points, quarter(points)) for fx in (1, -1) for fy in (1, -1)))
 
@@ -585,7 +587,7 @@ def check_piece(pattern, panel, piece, seams, note, lengths):
     slits = sum(n["kind"] for n in pattern.get("notches", []) if n["edge"] in [e for e, _ in word])
     note("notch", 99.0 if slits != len(piece["slits"]) else 0.0, f"{len(piece['slits'])} slits for {slits}")
     for a, b in piece["slits"]:
-        note("notch", to_line(a, outer))
+        note("notch", min(to_line(a, line) for line in piece["cut"]))  # a keyhole is cut too
         if not inside(b, piece["cut"]):
             note("notch", 99.0, "a slit outside the piece")
 

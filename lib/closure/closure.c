@@ -4,8 +4,8 @@
  *
  * A front that buttons and a back that zips are drawn closed, as they are worn: their centre is a seam with a closure,
  * which a cloth can leave open. The part beyond the centre is allowance: a button stand of 1.75 cm, turned under by as
- * much and 1 cm more. Buttons and the ends of a side zip are marked. Where a fold meets an edge that is sewn or faced,
- * a notch shows the centre. Method: FreeSewing 4 (simon).
+ * much and 1 cm more, with a mark where it is folded. Buttons and the ends of a side zip are marked. Where a fold meets
+ * an edge that is sewn or faced, a notch shows the centre. Method: FreeSewing 4 (simon).
  */
 #include <math.h>
 #include <string.h>
@@ -33,6 +33,25 @@ static void closure_buttons(mus__half *half, int32_t side)
 }
 
 
+/* the line that lies `out` beyond a side: xy (4) */
+static void closure_beyond(const mus__board *board, int32_t side, double out, double *xy)
+{
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double part = out / mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double x = part * (q[1] - p[1]), y = part * (p[0] - q[0]);
+    xy[0] = p[0] + x, xy[1] = p[1] + y, xy[2] = q[0] + x, xy[3] = q[1] + y;
+}
+
+
+void mus__closure_fold(mus__board *board, int32_t side, double out)
+{
+    double line[4];
+    if (board->status != MUS_OK) return;
+    closure_beyond(board, side, out, line);
+    mus__board_mark_add(board, board->side[side].panel, "fold", 2, line);
+}
+
+
 void mus__closure_set(mus__half *half)
 {
     mus__board *board = &half->board;
@@ -46,7 +65,9 @@ void mus__closure_set(mus__half *half)
         side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
         side->attr.allowance = !opens ? 0.0 : front ? 2.0 * MUS__BUTTON_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
         if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
-        if (opens && front) closure_buttons(half, i);
+        if (!opens || !front) continue;
+        closure_buttons(half, i);
+        mus__closure_fold(board, i, MUS__BUTTON_STAND);
     }
 }
 
@@ -150,11 +171,9 @@ void mus__closure_button(mus__board *board, int32_t side, double out, const char
 
 void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark)
 {
-    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
-    const double part = lap / mus__hypot(q[0] - p[0], q[1] - p[1]);
-    const double x = part * (q[1] - p[1]), y = part * (p[0] - q[0]);
-    const double line[4] = {p[0] + x, p[1] + y, q[0] + x, q[1] + y};
+    double line[4];
     if (board->status != MUS_OK) return;
+    closure_beyond(board, side, lap, line);
     board->side[side].attr.allowance += lap;
     mus__board_mark_add(board, board->side[side].panel, mark, 2, line);
 }

@@ -18,6 +18,8 @@ void mus__closure_folds(mus__half *half);
 /* Lets a side go on by `lap` beyond its seam line [m]: it is added to the allowance, and a line `mark` shows where the
  * end is sewn. */
 void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark);
+/* Marks the line `out` beyond a side [m], at which what lies beyond is folded. */
+void mus__closure_fold(mus__board *board, int32_t side, double out);
 /* Marks a button, or what `mark` names, `out` beyond the middle of a side, within the panel when negative [m]. */
 void mus__closure_button(mus__board *board, int32_t side, double out, const char *mark);
 

@@ -103,6 +103,7 @@ void mus__cuff_attach(mus__half *half, double length, double depth, double down)
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[side[0]].attr.allowance = depth + MUS__SEAM_ALLOWANCE;
+    mus__closure_fold(board, side[0], 0.0);
     const bool rib = mus__style_is(half, MUS__AXIS_CUFF, MUS__CUFF_RIB);
     mus__half_cut(half, panel, rib ? 0 : 1, rib ? MUS_MATERIAL_RIB : MUS_MATERIAL_INTERFACING, 1);
     mus__half_band_grain(half, panel);

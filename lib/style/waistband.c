@@ -112,6 +112,7 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front, int
     const int32_t panel = mus__outline_panel(half, &outline, front ? "band_front" : "band_back", plan->label, !front);
     mus__half_cut(half, panel, elastic ? 1 : 2, MUS_MATERIAL_INTERFACING, elastic ? 0 : 1);
     if (fabs(angle) <= BAND_STRAIGHT) mus__half_band_grain(half, panel);
+    if (elastic) mus__closure_fold(&half->board, mus__board_find(&half->board, panel, "top"), 0.0);
     mus__half_centre(half, panel, parts ? "open" : "centre", parts ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD);
     mus__lower_place_waist(half, panel, front, 2.0 * (plan->low[0] + plan->low[1]),
                           half->waist_level + mus__lower_level(half));

@@ -48,15 +48,43 @@ int look_check(const scene *s, const look *l)
 }
 
 
-/* The colour of the garment worn as layer `layer`: asked for, else of the fabric for the first, else of the palette. */
-static void layer_colour(const look *l, int32_t layer, double *out)
+/* The colour of garment `index`, from inside to outside: asked for, else of the fabric for the first, else of the
+ * palette. */
+static void index_colour(const look *l, int32_t index, double *out)
 {
     render_error error;
-    memcpy(out, palette[layer % PALETTE], sizeof palette[0]);
-    for (size_t i = 0; layer == 0 && l->fabric != NULL && i < sizeof dyed / sizeof dyed[0]; i++)
+    memcpy(out, palette[index % PALETTE], sizeof palette[0]);
+    for (size_t i = 0; index == 0 && l->fabric != NULL && i < sizeof dyed / sizeof dyed[0]; i++)
         if (strncmp(l->fabric, dyed[i].fabric, strlen(dyed[i].fabric)) == 0)
             memcpy(out, dyed[i].colour, sizeof palette[0]);
-    if (layer < l->colours.count) render_colour_parse(l->colours.at[layer], out, &error);
+    if (index < l->colours.count) render_colour_parse(l->colours.at[index], out, &error);
+}
+
+
+/* The garment of each panel, numbered from inside to outside: what is sewn together is one garment, and has the place
+ * of its innermost panel. A collar lies a layer above the coat that it is sewn to. Returns the number of the outermost.
+ */
+static int32_t garment_numbers(const mus_pattern *pattern, int32_t panels, int32_t *number)
+{
+    int32_t rank[MUS_LAYERS_MOST] = {0}, most = 0;
+    for (int32_t p = 0; p < panels; p++) number[p] = mus_pattern_layer(pattern, p);
+    for (bool more = true; more;) {
+        more = false;
+        for (int32_t k = 0; k < mus_pattern_seam_count(pattern); k++) {
+            mus_seam_def seam;
+            mus_seam_def_init(&seam, sizeof seam);
+            if (mus_pattern_seam(pattern, k, &seam) != MUS_OK) continue;
+            int32_t *a = &number[mus_pattern_edge_panel(pattern, seam.edge_a)];
+            int32_t *b = &number[mus_pattern_edge_panel(pattern, seam.edge_b)];
+            more = more || *a != *b;
+            *a = *b = *a < *b ? *a : *b;
+        }
+    }
+    for (int32_t p = 0; p < panels; p++) rank[number[p]] = 1;
+    for (int32_t i = 0, next = 0; i < MUS_LAYERS_MOST; i++)
+        if (rank[i] != 0) most = next, rank[i] = next++;
+    for (int32_t p = 0; p < panels; p++) number[p] = rank[number[p]];
+    return most;
 }
 
 
@@ -64,22 +92,18 @@ static void layer_colour(const look *l, int32_t layer, double *out)
 static int garment_colours(const scene *s, const look *l, garment *g)
 {
     const int32_t n = g->view[1].vertex_count, panels = s->pattern != NULL ? mus_pattern_panel_count(s->pattern) : 0;
-    double layers[MUS_LAYERS_MOST][3];
-    int32_t most = 0;
-    for (int32_t p = 0; p < panels; p++) {
-        const int32_t layer = mus_pattern_layer(s->pattern, p);
-        most = layer > most ? layer : most;
-    }
-    layer_colour(l, 0, g->view[1].colour);
-    if (most == 0) return EXIT_DONE;
-    g->colours = malloc((size_t)n * 3 * sizeof *g->colours + 1);
-    if (g->colours == NULL) return complain(EXIT_FAILED, s->command, "no memory for the garments' colours");
-    for (int32_t i = 0; i <= most; i++) layer_colour(l, i, layers[i]);
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t layer = g->panels[i] < panels ? mus_pattern_layer(s->pattern, g->panels[i]) : 0;
-        memcpy(g->colours + 3 * (ptrdiff_t)i, layers[layer > 0 ? layer : 0], sizeof layers[0]);
-    }
-    return EXIT_DONE;
+    double colour[MUS_LAYERS_MOST][3];
+    index_colour(l, 0, g->view[1].colour);
+    int32_t *number = malloc((size_t)panels * sizeof *number + 1);
+    const int32_t most = number != NULL ? garment_numbers(s->pattern, panels, number) : 0;
+    if (most > 0) g->colours = malloc((size_t)n * 3 * sizeof *g->colours + 1);
+    for (int32_t i = 0; i <= most; i++) index_colour(l, i, colour[i]);
+    for (int32_t i = 0; i < n && g->colours != NULL; i++)
+        memcpy(g->colours + 3 * (ptrdiff_t)i, colour[g->panels[i] < panels ? number[g->panels[i]] : 0],
+               sizeof colour[0]);
+    const bool lacks = number == NULL || (most > 0 && g->colours == NULL);
+    free(number);
+    return lacks ? complain(EXIT_FAILED, s->command, "no memory for the garments' colours") : EXIT_DONE;
 }
 
 

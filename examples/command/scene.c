@@ -156,6 +156,16 @@ int scene_pattern(scene *s, const source *from)
 }
 
 
+/* the layer over all that the pattern has */
+static int32_t layer_over(const mus_pattern *pattern)
+{
+    int32_t top = 0;
+    for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++)
+        if (mus_pattern_layer(pattern, i) > top) top = mus_pattern_layer(pattern, i);
+    return top + 1;
+}
+
+
 int scene_over(scene *s, const texts *over)
 {
     for (int32_t i = 0; i < over->count; i++) {
@@ -169,7 +179,7 @@ int scene_over(scene *s, const texts *over)
         if (file) status = mus_pattern_read(s->context, what, &more);
         else if (design != MUS_NONE) status = mus_design_draft(s->context, design, s->tape, NULL, &more);
         else status = mus_design_draft_words(s->context, what, s->tape, NULL, &more);
-        if (status == MUS_OK) status = mus_pattern_join(s->pattern, more, i + 1);
+        if (status == MUS_OK) status = mus_pattern_join(s->pattern, more, layer_over(s->pattern));
         mus_pattern_destroy(more);
         if (status != MUS_OK)
             return complain(failure_code(status), s->command, "--over %s: %s", what, mus_context_error(s->context));

@@ -317,7 +317,8 @@ MUS_API mus_status mus_pattern_placement(const mus_pattern *pattern, int32_t pan
 #define MUS_LAYERS_MOST 16 /* layers are 0 to 15; chosen: more than anyone wears */
 
 /** Set the layer of a panel: 0 (the default) is next to the skin, each next layer is worn over it. A drape with
- * self_contact sews and drapes layer after layer, from inside to outside. Errors: MUS_ERR_ARG (layer outside 0 to
+ * self_contact sews and drapes layer after layer, from inside to outside. A panel that is sewn to one of a layer below
+ * starts laid on that one from the seam, as a collar lies on the shoulders. Errors: MUS_ERR_ARG (layer outside 0 to
  * 15). */
 MUS_API mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, int32_t layer);
 
@@ -325,12 +326,13 @@ MUS_API mus_status mus_pattern_set_layer(mus_pattern *pattern, int32_t panel, in
 MUS_API int32_t mus_pattern_layer(const mus_pattern *pattern, int32_t panel);
 
 /**
- * Put another garment over a pattern: all cells of `other` are added to it, with their panels in `layer`.
+ * Put another garment over a pattern: all cells of `other` are added to it, its innermost panels in `layer`, what it
+ * has in layers above them (a collar that lies on its shoulders) as far above that.
  *
  * Indices of the pattern stay; those of `other` follow behind them. A panel whose name is taken gets the name of its
  * pattern before its own. Openings that the pattern declared are forgotten: garments over one another are not checked
  * as one garment.
- * Errors: MUS_ERR_ARG (other NULL, layer outside 0 to 15), MUS_ERR_MEMORY; the pattern is then as it was.
+ * Errors: MUS_ERR_ARG (other NULL, a layer outside 0 to 15), MUS_ERR_MEMORY; the pattern is then as it was.
  */
 MUS_API mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int32_t layer);
 

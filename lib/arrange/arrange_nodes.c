@@ -140,5 +140,5 @@ void mus__arrange_nodes(const mus_cloth *cloth, double *x)
     }
     for (int32_t p = 0; p < cloth->npanel; p++)
         if (cloth->panel[p].node_count > 0)
-            mus__arrange_panel(cloth, p, MUS__LAYER_OUT * mus__cloth_layer(cloth, cloth->panel[p].first_node), x);
+            mus__arrange_panel(cloth, p, MUS__LAYER_OUT * (cloth->panel[p].layer - cloth->panel[p].lies), x);
 }

@@ -65,7 +65,7 @@ typedef struct mus__panel_mesh {
     int32_t lattice_count;
     int32_t first_triangle, triangle_count;
     int32_t first_border, border_count; /* in cloth->border */
-    int32_t layer, sides; /* sides: MUS_SIDE_* */
+    int32_t layer, lies, sides; /* lies: 1 when sewn to a panel of a layer below; sides: MUS_SIDE_* */
     mus_placement placement;
 } mus__panel_mesh;
 

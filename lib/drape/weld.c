@@ -116,7 +116,9 @@ double mus__weld_gap(const mus_drape *drape, int32_t *seam)
     double most = 0.0;
     if (seam != NULL) *seam = MUS_NONE;
     for (int32_t p = 0; p < cloth->npair; p++) {
-        if (waits > 0 && mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits) continue;
+        if (waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
+                          mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
+            continue;
         const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
                      *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};

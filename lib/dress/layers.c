@@ -18,6 +18,7 @@
 #include "drape/drape_self.h"
 #include "drape/drape_state.h"
 #include "dress/dynamic_relaxation.h"
+#include "dress/laid_on.h"
 #include "dress/sew.h"
 #include "geom/predicate.h"
 #include "geom/vec.h"
@@ -131,44 +132,56 @@ static double layers_side(mus_drape *drape, int32_t panel)
 }
 
 
+/* places a panel `out` [m] off: laid on the worn cloth that it is sewn to, or as the pattern has it */
+static mus_status layers_place(mus_drape *drape, int32_t panel, double side, double out)
+{
+    if (drape->cloth->panel[panel].lies) return mus__laid_place(drape, panel, out);
+    mus__arrange_panel(drape->cloth, panel, side * out, drape->x);
+    return MUS_OK;
+}
+
+
 /*
  * Moves a panel that is `out` [m] off in again, as long as its crossings do not grow, in steps shorter than the
  * distance of two sheets. The edges of a sleeve that is rolled too wide lie over the limb, not under it, and would be
  * sewn there; a collar far above the neckline would crumple on its way.
  */
-static void layers_come_in(mus_drape *drape, int32_t panel, double out)
+static mus_status layers_come_in(mus_drape *drape, int32_t panel, double out)
 {
     const int32_t layer = drape->cloth->panel[panel].layer;
     const int64_t met = layers_count(drape, layer, panel);
     const double side = layers_side(drape, panel);
+    mus_status status = layers_place(drape, panel, side, out);
     double in = out;
-    for (double next = out; next > 0.0;) {
+    for (double next = out; next > 0.0 && status == MUS_OK;) {
         next = fmax(next - LAYERS_STEP, 0.0);
-        mus__arrange_panel(drape->cloth, panel, side * next, drape->x);
+        status = layers_place(drape, panel, side, next);
         if (layers_count(drape, layer, panel) > met) break;
         in = next;
     }
-    mus__arrange_panel(drape->cloth, panel, side * fmin(in + LAYERS_STEP, out), drape->x);
+    return status != MUS_OK ? status : layers_place(drape, panel, side, fmin(in + LAYERS_STEP, out));
 }
 
 
 /* puts a layer where it starts, clear of the layers below it */
-static void layers_start(mus_drape *drape, int32_t layer)
+static mus_status layers_start(mus_drape *drape, int32_t layer)
 {
     const mus_cloth *cloth = drape->cloth;
+    mus_status status = MUS_OK;
     double out = 0.0;
     mus__drape_publish(drape);
-    for (int32_t k = 0; k < LAYERS_TRIALS; k++) {
+    for (int32_t k = 0; k < LAYERS_TRIALS && status == MUS_OK; k++) {
         out = MUS__LAYER_OUT * (layer + k);
-        for (int32_t p = 0; p < cloth->npanel; p++)
-            if (cloth->panel[p].layer == layer) mus__arrange_panel(cloth, p, layers_side(drape, p) * out, drape->x);
+        for (int32_t p = 0; p < cloth->npanel && status == MUS_OK; p++)
+            if (cloth->panel[p].layer == layer) status = layers_place(drape, p, layers_side(drape, p), out);
         if (layers_count(drape, layer, MUS_NONE) == 0) break;
     }
-    for (int32_t p = 0; p < cloth->npanel; p++)
-        if (cloth->panel[p].layer == layer) layers_come_in(drape, p, out);
+    for (int32_t p = 0; p < cloth->npanel && status == MUS_OK; p++)
+        if (cloth->panel[p].layer == layer) status = layers_come_in(drape, p, out);
     for (int32_t i = 0; i < drape->n; i++)
         if (mus__cloth_layer(cloth, i) == layer) memset(drape->v + 3 * (int64_t)i, 0, 3 * sizeof *drape->v);
     mus__drape_push(drape);
+    return status;
 }
 
 
@@ -281,7 +294,8 @@ mus_status mus__layers_sew(mus_drape *drape, mus__progress *run, mus__sew_fn all
     mus_status status = MUS_OK;
     for (int32_t first = 1; status == MUS_OK && !run->stop; first = 0) {
         const int32_t next = layers_next(cloth, layer + 1);
-        if (!first) layers_start(drape, layer);
+        if (!first) status = layers_start(drape, layer);
+        if (status != MUS_OK) break;
         layers_wait(drape, next);
         run->sleeved = !first && layers_sleeved(cloth, layer, layer);
         status = first ? all(drape, run) : here(drape, run);

@@ -55,15 +55,28 @@ static mus_status layer_room(mus_pattern *p, const mus_pattern *more)
 }
 
 
-/* append the cells of `more` to those of p, which has room for them; p owns the blocks afterwards */
-static void layer_move(mus_pattern *p, mus_pattern *more, int32_t layer)
+/* lowest and highest layer of the panels; both 0 without any */
+static void layer_span(const mus_pattern *pattern, int32_t *low, int32_t *high)
+{
+    *low = *high = pattern->npanel > 0 ? pattern->panel[0].attr.layer : 0;
+    for (int32_t i = 1; i < pattern->npanel; i++) {
+        const int32_t layer = pattern->panel[i].attr.layer;
+        *low = layer < *low ? layer : *low;
+        *high = layer > *high ? layer : *high;
+    }
+}
+
+
+/* append the cells of `more` to those of p, which has room for them, `up` layers above their own; p owns the blocks
+ * afterwards */
+static void layer_move(mus_pattern *p, mus_pattern *more, int32_t up)
 {
     const int32_t panel = p->npanel, point = p->npoint, edge = p->nedge, seam = p->nseam;
     for (int32_t i = 0; i < more->npanel; i++) {
         mus__panel own = more->panel[i];
         for (int32_t k = 0; k < own.noutline; k++) own.outline[k] += edge;
         if (own.mirror_of != MUS_NONE) own.mirror_of += panel;
-        own.attr.layer = layer;
+        own.attr.layer += up;
         layer_name(p, more->name, more->panel[i].name, own.name);
         const int32_t sides = mus__sides_named(more->panel[i].name);
         if (own.attr.sides == MUS_NONE && sides != mus__sides_named(own.name)) own.attr.sides = sides;
@@ -100,7 +113,10 @@ mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int3
 {
     if (pattern == NULL) return MUS_ERR_ARG;
     if (other == NULL) return mus__fail(pattern->context, MUS_ERR_ARG, "join: the other pattern is NULL");
+    int32_t low, high;
+    layer_span(other, &low, &high);
     mus_status status = mus__layer_check(pattern, layer);
+    if (status == MUS_OK) status = mus__layer_check(pattern, layer + high - low);
     if (status != MUS_OK) return status;
     mus_pattern *more;
     status = mus_pattern_copy(other, &more);
@@ -114,7 +130,7 @@ mus_status mus_pattern_join(mus_pattern *pattern, const mus_pattern *other, int3
                                            : mus_pattern_set_cut_only(pattern, more->cut_only);
     }
     if (status == MUS_OK) {
-        layer_move(pattern, more, layer);
+        layer_move(pattern, more, layer - low);
         pattern->nopening = 0;
         mus__pattern_edited(pattern);
     }

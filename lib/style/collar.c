@@ -125,6 +125,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
                           collar_height(half) + above + height);
     if (board->status != MUS_OK) return;
 
+    board->panel[panel].attr.layer = MUS__COLLAR_LIES;
     /* about its inner edge: y and the right side the other way */
     mus_placement *place = &board->panel[panel].attr.placement;
     for (int32_t i = 0; i < 3; i++) place->rotation[3 * i + 1] *= -1.0, place->rotation[3 * i + 2] *= -1.0;
@@ -147,6 +148,7 @@ static void collar_turtleneck(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
     board->side[sides[1]].centre = MUS__CENTRE_SEAM;
     board->side[sides[2]].attr.allowance = corner[2][1] + MUS__COLLAR_SEAM;
+    mus__closure_fold(board, sides[2], 0.0);
     const bool knit = mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT);
     mus__half_cut(half, panel, 1, MUS_MATERIAL_INTERFACING, 0);
     if (knit) mus__half_cut(half, panel, 0, MUS_MATERIAL_RIB, 1);

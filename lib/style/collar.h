@@ -10,6 +10,7 @@
 #include "style/style_parts.h"
 
 #define MUS__COLLAR_SEAM 0.007 /* [m] allowance of a collar: narrow, since it is turned */
+#define MUS__COLLAR_LIES 1     /* layer of a collar that lies on the garment: it is put on last */
 
 /* the neckline that a collar is drafted to */
 typedef struct mus__neck {

@@ -167,10 +167,11 @@ static void flat_sailor(const flat_collar *flat, double depth, double width, mus
 
 
 /*
- * Places the collar FLAT_ABOVE above the highest panel of the bodice, so that no panel passes through it while the
- * bodice is sewn; it falls onto the shoulders then. A flat collar on the shoulders is a cone, which is stable with its
- * outer edge up or down; one that starts horizontal ends up standing round the neck. So its back starts turned down by
- * FLAT_TILT, and its sides bent down about a line from back to front.
+ * Where cloth does not meet cloth, and the collar is sewn with the rest: places it FLAT_ABOVE above the highest panel
+ * of the bodice, so that no panel passes through it while the bodice is sewn; it falls onto the shoulders then. A flat
+ * collar on the shoulders is a cone, which is stable with its outer edge up or down; one that starts horizontal ends up
+ * standing round the neck. So its back starts turned down by FLAT_TILT, and its sides bent down about a line from back
+ * to front.
  */
 static void flat_place(mus__half *half, const mus__neck *neck, int32_t panel)
 {
@@ -235,6 +236,7 @@ void mus__collar_flat(mus__half *half, mus__neck *neck)
     mus__chain_side(board, panel, "front", "neck", MUS__COLLAR_SEAM, &outer[1]);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
+    board->panel[panel].attr.layer = MUS__COLLAR_LIES;
     board->side[cb].centre = neck->back_open ? MUS__CENTRE_OPEN : MUS__CENTRE_FOLD;
     mus__board_sew(board, 2, neck_sides, neck->loop.n, neck->loop.side);
     mus__half_cut(half, panel, 2, MUS_MATERIAL_INTERFACING, 1);

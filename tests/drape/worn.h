@@ -34,7 +34,7 @@ static inline worn worn_body(const char *size)
 }
 
 
-/* takes the pattern */
+/* takes the pattern, over all that is worn */
 static inline void worn_put_on(worn *w, mus_pattern *one)
 {
     if (w->layers == 0) {
@@ -43,7 +43,10 @@ static inline void worn_put_on(worn *w, mus_pattern *one)
         ck_assert_int_eq(mus_pattern_join(w->pattern, one, w->layers), MUS_OK);
         mus_pattern_destroy(one);
     }
-    w->layers++;
+    for (int32_t p = 0; p < mus_pattern_panel_count(w->pattern); p++) {
+        const int32_t over = mus_pattern_layer(w->pattern, p) + 1;
+        w->layers = w->layers > over ? w->layers : over;
+    }
 }
 
 

@@ -353,7 +353,7 @@ Suite *mus_suite_language(void)
 {
     Suite *suite = suite_create("language");
     TCase *tcase = tcase_create("language");
-    tcase_set_timeout(tcase, 60.0);
+    tcase_set_timeout(tcase, 120.0);
     tcase_add_test(tcase, every_language_has_every_row_with_its_places);
     tcase_add_test(tcase, rows_are_numbered_in_the_order_of_their_keys);
     tcase_add_test(tcase, tags_of_both_kinds_are_read);

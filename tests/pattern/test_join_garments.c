@@ -88,6 +88,37 @@ START_TEST(files_copies_and_edits_keep_layers)
 END_TEST
 
 
+/* a collar that lies on its garment does so in a garment over another */
+START_TEST(a_garment_keeps_the_order_of_its_own_layers)
+{
+    mus_context *context = support_context();
+    mus_pattern *coat = draft(context, "coat"), *all;
+    const int32_t collar = mus_pattern_find_panel(coat, "collar");
+    ck_assert_int_eq(mus_pattern_layer(coat, collar), 1);
+    ck_assert_int_eq(mus_pattern_layer(coat, mus_pattern_find_panel(coat, "back")), 0);
+    ck_assert_int_eq(mus_pattern_copy(coat, &all), MUS_OK);
+    ck_assert_int_eq(mus_pattern_join(all, coat, 2), MUS_OK);
+    const int32_t panels = mus_pattern_panel_count(coat);
+    for (int32_t p = 0; p < panels; p++)
+        ck_assert_int_eq(mus_pattern_layer(all, panels + p), 2 + mus_pattern_layer(coat, p));
+    ck_assert_int_eq(mus_pattern_join(all, coat, MUS_LAYERS_MOST - 1), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_panel_count(all), 2 * panels);
+
+    /* two of them at once come down together */
+    mus_pattern *above;
+    ck_assert_int_eq(mus_pattern_copy(coat, &above), MUS_OK);
+    for (int32_t p = 0; p < panels; p++)
+        ck_assert_int_eq(mus_pattern_set_layer(above, p, 7 + mus_pattern_layer(coat, p)), MUS_OK);
+    ck_assert_int_eq(mus_pattern_join(all, above, 4), MUS_OK);
+    ck_assert_int_eq(mus_pattern_layer(all, 2 * panels + collar), 5);
+    mus_pattern_destroy(above);
+    mus_pattern_destroy(all);
+    mus_pattern_destroy(coat);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(layers_outside_the_range_are_refused)
 {
     mus_context *context = support_context();
@@ -107,6 +138,8 @@ START_TEST(layers_outside_the_range_are_refused)
     ck_assert_int_eq(mus_pattern_layer(all, 0), MUS_LAYERS_MOST - 1);
 
     /* itself over itself, sixteen times: every name is its own */
+    ck_assert_int_eq(mus_pattern_join(all, all, 1), MUS_ERR_ARG);
+    ck_assert_int_eq(mus_pattern_set_layer(all, 0, 0), MUS_OK);
     for (int32_t k = 1; k < 6; k++) ck_assert_int_eq(mus_pattern_join(all, all, k), MUS_OK);
     ck_assert_int_eq(mus_pattern_panel_count(all), 32 * panels);
     for (int32_t p = 0; p < 32 * panels; p++)
@@ -146,6 +179,7 @@ Suite *mus_suite_join_garments(void)
     TCase *tests = tcase_create("layer");
     tcase_add_test(tests, a_join_has_all_cells_of_both);
     tcase_add_test(tests, files_copies_and_edits_keep_layers);
+    tcase_add_test(tests, a_garment_keeps_the_order_of_its_own_layers);
     tcase_add_test(tests, layers_outside_the_range_are_refused);
     tcase_add_test(tests, a_join_without_memory_changes_nothing);
     suite_add_tcase(suite, tests);

@@ -247,7 +247,7 @@ class Pattern(Topology, Edits, Valued):
         return [side for side, bit in _SIDES.items() if told & bit]
 
     def join(self, other: Pattern, layer: int) -> None:
-        """Another garment over this one: all cells of a pattern, its panels in `layer`."""
+        """Another garment over this one: all cells of a pattern, its innermost panels in `layer`."""
         self.do("join", other.handle, layer)
 
     def set_grain(self, panel: int, x: float, y: float) -> None:

@@ -152,6 +152,10 @@ static void pairs_add(mus__mesh *mesh, const mus_seam_def *seam, int32_t index, 
     cloth->pair[2 * (ptrdiff_t)cloth->npair] = a, cloth->pair[2 * (ptrdiff_t)cloth->npair + 1] = b;
     cloth->pair_seam[cloth->npair] = index;
     cloth->pair_length[cloth->npair++] = length;
+    mus__panel_mesh *own = &cloth->panel[mesh->edge[seam->edge_a].panel];
+    mus__panel_mesh *other = &cloth->panel[mesh->edge[seam->edge_b].panel];
+    own->lies = own->lies || own->layer > other->layer;
+    other->lies = other->lies || other->layer > own->layer;
 }
 
 
@@ -166,10 +170,6 @@ static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
         return mus__fail(mesh->context, MUS_ERR_MESH, "seam %d: an edge of it is in no outline", (int)index);
     status = pairs_reserve(mesh, (int64_t)n + 1);
     if (status != MUS_OK) return status;
-    mus__panel_mesh *a = &mesh->cloth->panel[mesh->edge[seam.edge_a].panel];
-    mus__panel_mesh *b = &mesh->cloth->panel[mesh->edge[seam.edge_b].panel];
-    if (a->layer > b->layer) a->lies = 1;
-    if (b->layer > a->layer) b->lies = 1;
 
     /* the mean length of the two intervals; half of it at both ends */
     const double length = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +

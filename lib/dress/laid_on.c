@@ -12,8 +12,7 @@
 #include "dress/laid_on.h"
 #include "geom/vec.h"
 
-#define LAID_REACH 0.3  /* [m] distance from the seam within which the body is looked for */
-#define LAID_BESIDE 2.5 /* spacings along a seam over which its direction is taken */
+#define LAID_BESIDE 2.5 /* spacings of a seam that give its direction; chosen: a node or more on both sides */
 
 /* a pair of a seam: its place and its ways along and across, in the cut and in the world */
 typedef struct laid_pair {
@@ -92,7 +91,7 @@ static void laid_frame(const mus_drape *drape, int32_t panel, int32_t own, int32
     for (int32_t d = 0; d < 3; d++) pair->at[d] = drape->x[3 * (int64_t)worn + d];
     laid_along(drape, panel, pair);
     laid_across(drape, own, worn, normal, into, cut);
-    if (drape->scene.collider != NULL) mus__collider_depth(drape->scene.collider, pair->at, LAID_REACH, out);
+    if (drape->scene.collider != NULL) mus__collider_depth(drape->scene.collider, pair->at, MUS__LAYERS_REACH, out);
     const double side = mus__dot3(normal, out) < 0.0 ? -1.0 : 1.0;
     for (int32_t d = 0; d < 3; d++) pair->out[d] = side * normal[d];
     laid_unit(pair->cut_along, 2), laid_unit(pair->along, 3), laid_unit(pair->out, 3);

@@ -25,7 +25,6 @@
 #include "sim/bend_clamp.h"
 
 #define LAYERS_TRIALS 24  /* starts that are tried, each MUS__LAYER_OUT farther out; chosen: half a metre in all */
-#define LAYERS_REACH 0.3  /* [m] distance from a panel within which the body is looked for */
 #define LAYERS_STEP 0.004 /* [m] in again; chosen: below the distance of two sheets, so that none is jumped */
 #define WAY_MOST 8        /* sheets between the nodes of a pair that are told apart; more count as worn cloth between */
 
@@ -125,7 +124,7 @@ static double layers_side(mus_drape *drape, int32_t panel)
         for (int32_t d = 0; d < 3; d++)
             ab[d] = b[d] - a[d], ac[d] = c[d] - a[d], middle[d] = (a[d] + b[d] + c[d]) / 3.0;
         mus__cross3(ab, ac, normal);
-        mus__collider_depth(drape->scene.collider, middle, LAYERS_REACH, out);
+        mus__collider_depth(drape->scene.collider, middle, MUS__LAYERS_REACH, out);
         away += mus__dot3(normal, out);
     }
     return away < 0.0 ? -1.0 : 1.0;

@@ -9,7 +9,8 @@
  * several layers: coarse cuts of cloth that lies on cloth would cross.
  *
  * Where sleeves come over a layer, it is not let down before they are closed: a part that hangs off an arm would hang
- * out of a sleeve that is still open below.
+ * out of a sleeve that is still open below. A garment whose upper layers all lie on it, as collars do, is not let down
+ * either: they are put on as soon as it is sewn, and it settles as one, on every cut.
  */
 #include <math.h>
 #include <string.h>
@@ -38,6 +39,15 @@ static int32_t layers_next(const mus_cloth *cloth, int32_t from)
         if (layer >= from && (next == 0 || layer < next)) next = layer;
     }
     return next;
+}
+
+
+/* whether all panels of layers from `from` on lie on what they are sewn to: they are one garment with it */
+static bool layers_lie(const mus_cloth *cloth, int32_t from)
+{
+    for (int32_t p = 0; p < cloth->npanel; p++)
+        if (cloth->panel[p].layer >= from && !cloth->panel[p].lies) return false;
+    return true;
 }
 
 
@@ -290,6 +300,7 @@ mus_status mus__layers_sew(mus_drape *drape, mus__progress *run, mus__sew_fn all
     int32_t layer = cloth->panel[0].layer;
     for (int32_t p = 1; p < cloth->npanel; p++)
         if (cloth->panel[p].layer < layer) layer = cloth->panel[p].layer;
+    const bool one = layers_lie(cloth, layer + 1);
     mus_status status = MUS_OK;
     for (int32_t first = 1; status == MUS_OK && !run->stop; first = 0) {
         const int32_t next = layers_next(cloth, layer + 1);
@@ -300,12 +311,14 @@ mus_status mus__layers_sew(mus_drape *drape, mus__progress *run, mus__sew_fn all
         status = first ? all(drape, run) : here(drape, run);
         run->sleeved = 0;
         if (status != MUS_OK || run->stop) break;
-        if (next == 0 || !layers_sleeved(cloth, next, INT32_MAX)) status = mus__settle_let_down(drape, run);
+        const bool falls = next == 0 ? !one : !layers_lie(cloth, next) && !layers_sleeved(cloth, next, INT32_MAX);
+        if (falls) status = mus__settle_let_down(drape, run);
         if (next == 0) break;
         layer = next;
     }
     layers_wait(drape, 0);
     mus__drape_publish(drape);
-    drape->relax.far = status != MUS_OK;
+    drape->relax.far = one || status != MUS_OK;
+    if (one) drape->coarse.as_sewn = 0;
     return status;
 }

@@ -4,8 +4,9 @@
  * The worn cloth has its shape by now, and the seam is drawn on it. So each node starts where it lies when the panel is
  * laid down from its seam: as far along the seam as in the cut, and as far from it on the surface of the worn cloth,
  * which it covers. A pair of nodes of the seam gives a frame for it: the way along the seam in the cut and on the worn
- * cloth, the way from it into the panel and into the worn cloth. Of all pairs a node takes the mean place, near ones
- * before far ones. A collar so begun is turned down, in one fall of cloth; begun above the neck it comes to stand.
+ * cloth, the way from it into the panel and into the worn cloth. Each pair gives a node a place, and it takes their
+ * mean, weighted by the inverse fourth power of the distance. A collar so begun lies down; begun above the neck it may
+ * come to stand.
  */
 #include <math.h>
 

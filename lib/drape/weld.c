@@ -42,6 +42,14 @@ void mus__weld_open(mus_drape *drape)
 }
 
 
+/* whether an end of seam pair p is in a layer that waits, from `waits` on; 0: none waits */
+static bool weld_waits(const mus_cloth *cloth, int32_t p, int32_t waits)
+{
+    return waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
+                         mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits);
+}
+
+
 /* welds the seams of panels below layer `waits`; 0: all seams */
 static void weld_below(mus_drape *drape, int32_t waits)
 {
@@ -49,9 +57,7 @@ static void weld_below(mus_drape *drape, int32_t waits)
     int32_t *rep = drape->rep;
     mus__drape_publish(drape);
     for (int32_t p = 0; p < cloth->npair; p++) {
-        if (waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
-                          mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
-            continue;
+        if (weld_waits(cloth, p, waits)) continue;
         mus__union_join(rep, NULL, cloth->pair[2 * p], cloth->pair[2 * p + 1], 1);
     }
 
@@ -116,9 +122,7 @@ double mus__weld_gap(const mus_drape *drape, int32_t *seam)
     double most = 0.0;
     if (seam != NULL) *seam = MUS_NONE;
     for (int32_t p = 0; p < cloth->npair; p++) {
-        if (waits > 0 && (mus__cloth_layer(cloth, cloth->pair[2 * p]) >= waits ||
-                          mus__cloth_layer(cloth, cloth->pair[2 * p + 1]) >= waits))
-            continue;
+        if (weld_waits(cloth, p, waits)) continue;
         const double *a = drape->x + 3 * (int64_t)cloth->pair[2 * p],
                      *b = drape->x + 3 * (int64_t)cloth->pair[2 * p + 1];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};

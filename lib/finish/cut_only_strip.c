@@ -35,8 +35,11 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
     for (int32_t i = 0; i < strip->nnotch && job->status == MUS_OK; i++)
         job->status = mus_pattern_add_notch(job->made, edge[0], strip->notch[i] * strip->length, MUS_NOTCH_SINGLE,
                                             NULL);
-    if (job->status == MUS_OK && strip->turned > 0.0)
-        job->status = mus_pattern_add_mark(job->made, panel, "fold", 2, xy[2], NULL);
+    /* a mark for each half, so that the half that is printed on the fold of the cloth has its word */
+    for (int32_t i = 0; i < 2 && strip->turned > 0.0 && job->status == MUS_OK; i++) {
+        const double half[2][2] = {{i == 0 ? -x : x, strip->width}, {0.0, strip->width}};
+        job->status = mus_pattern_add_mark(job->made, panel, "fold", 2, half[0], NULL);
+    }
     if (job->status == MUS_OK && strip->interfacing > 0)
         job->status = mus_pattern_set_material(job->made, panel, MUS_MATERIAL_INTERFACING, strip->interfacing);
 }

@@ -122,14 +122,12 @@ void mus__skirt_gathered(mus__half *half)
 {
     static const char *const names[] = {"skirt_front", "skirt_back"};
     const int32_t kind = half->style.option[MUS__AXIS_SKIRT];
-    const double level = mus__lower_level(half), length = mus__skirt_length(half), *m = half->measures.v;
+    const double level = mus__lower_level(half), length = mus__skirt_length(half);
     const double net[2] = {mus__lower_net(half, true, level, 0.0), mus__lower_net(half, false, level, 0.0)};
     double ratio = kind == MUS__SKIRT_GATHERED ? 1.8 : kind == MUS__SKIRT_BOX ? 2.4 : 3.0;
     if (kind == MUS__SKIRT_TIERED) ratio = 1.4;
 
-    /* the top edge clears the hip by 4 cm, so that a skirt with elastic can be put on */
-    const double hip = 0.5 * (fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]) + 4.0 * MUS__CM);
-    ratio = fmax(ratio, hip / (net[0] + net[1]));
+    ratio = fmax(ratio, mus__lower_pulled(half) / (net[0] + net[1]));
     if (kind == MUS__SKIRT_TIERED) {
         ruffle_tiers(half, net, ratio, length);
         return;

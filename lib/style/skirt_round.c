@@ -136,12 +136,12 @@ static int32_t round_draw(mus__half *half, const round_plan *plan, bool front)
 
 void mus__skirt_round(mus__half *half)
 {
-    const double level = mus__lower_level(half), *m = half->measures.v;
+    const double level = mus__lower_level(half);
     round_plan plan = {.part = round_part(half->style.option[MUS__AXIS_SKIRT])};
     plan.net[0] = mus__lower_net(half, true, level, 0.0);
     plan.net[1] = mus__lower_net(half, false, level, 0.0);
     if (!mus__lower_has_top(half) && half->style.option[MUS__AXIS_BAND] == MUS__BAND_ELASTIC)
-        plan.net[0] = plan.net[1] = 0.25 * (fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]) + 2.0 * MUS__CM);
+        plan.net[0] = plan.net[1] = 0.5 * mus__lower_pulled(half);
     plan.radius = 2.0 * (plan.net[0] + plan.net[1]) / (2.0 * MUS_PI * plan.part);
     plan.length = mus__skirt_length(half);
     if (half->style.option[MUS__AXIS_LENGTH] == MUS__LENGTH_HI_LOW) plan.fall = 0.18 * plan.length;

@@ -92,8 +92,9 @@ static mus__trousers_def trousers_block(const mus__half *half)
     def.net[1] = mus__lower_net(half, false, level, -0.5 * MUS__CM);
     def.darts = true;
     if (!mus__lower_has_top(half) && half->style.option[MUS__AXIS_BAND] == MUS__BAND_ELASTIC) {
-        /* drawn up by the elastic: nearly as wide as the hip, no darts */
-        const double wide = 0.25 * (close ? MUS__CLOSE_GIRTH : 0.95) * fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
+        /* drawn up by the elastic, no darts */
+        const double hip = fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
+        const double wide = close ? 0.25 * MUS__CLOSE_GIRTH * hip : 0.5 * mus__lower_pulled(half);
         def.net[0] = fmax(def.net[0], wide - 0.5 * MUS__CM);
         def.net[1] = fmax(def.net[1], wide + 0.5 * MUS__CM);
         def.darts = false;

@@ -11,6 +11,8 @@
 
 #include "style/waist_edge.h"
 
+#define PULLED_EASE (2.0 * MUS__CM) /* of a woven waist over the hip; chosen: what one hand needs */
+#define PULLED_KNIT 0.95            /* of the hip, which a knit gives; chosen */
 #define WALK_LONGEST 400 /* half-edges after which a walk along a boundary loop gives up; drafts have below 60 */
 
 
@@ -73,6 +75,13 @@ double mus__lower_waist_ease(const mus__half *half)
     if (mus__lower_has_top(half)) return half->waist_ease;
     const double *m = half->measures.v, curve = fmax(0.0, m[MUS_MEASURE_HIP] - m[MUS_MEASURE_WAIST]);
     return fmin(half->waist_ease, 0.1 * curve);
+}
+
+
+double mus__lower_pulled(const mus__half *half)
+{
+    const double hip = fmax(half->measures.v[MUS_MEASURE_HIP], half->measures.v[MUS_MEASURE_WAIST]);
+    return 0.5 * (mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT) ? PULLED_KNIT * hip : hip + PULLED_EASE);
 }
 
 

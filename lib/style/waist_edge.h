@@ -33,6 +33,9 @@ double mus__lower_net(const mus__half *half, bool front, double level, double mo
  * the garment hangs on the hips. */
 double mus__lower_waist_ease(const mus__half *half);
 
+/* Half of the least girth of a waist without an opening, that is pulled on over the hip [m]. */
+double mus__lower_pulled(const mus__half *half);
+
 /* Writes the half-edges labelled "waist" of panels first..last - 1 in the order of the boundary loop. Returns how many,
  * at most MUS__WAIST_SIDES. */
 int32_t mus__lower_waist(const mus__half *half, int32_t first, int32_t last, int32_t *sides);

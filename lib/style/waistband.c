@@ -17,7 +17,8 @@
  * the grain along the fold.
  *
  * A band is cut twice, an outer and an inner layer, and once of interfacing. The casing of an elastic is cut once and
- * turned in along its upper edge, whose allowance is the inner layer.
+ * turned in along its upper edge, whose allowance is the inner layer. It passes the hip, if need be by the stretch of
+ * a knit; the elastic in it has a length of its own.
  */
 #include <math.h>
 #include <string.h>
@@ -27,14 +28,15 @@
 #include "style/waist_edge.h"
 
 #define BAND_SETTLES (1.0 * MUS__CM) /* [m] depth to which a waist may sink before its attachment pulls; chosen */
-#define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing; the elastic in it is shorter by */
-#define BAND_ELASTIC_RATIO 0.9
+#define BAND_ELASTIC_EASE (2.0 * MUS__CM) /* of the casing of a knit */
+#define BAND_ELASTIC_RATIO 0.9            /* of that, the elastic in any casing; chosen */
 #define BAND_ELASTIC_STIFFNESS 60.0 /* [N] */
 #define BAND_STRAIGHT 1e-4          /* angle of a shaped band that counts as a straight one; below what is drawn */
 
 typedef struct band_plan {
     double height;
     double low[2], high[2]; /* lengths of the lower and upper edge, front and back */
+    double ratio;           /* of an elastic to its casing */
     const char *label;
 } band_plan;
 
@@ -70,8 +72,13 @@ static void band_plan_make(const mus__half *half, bool full, double part, band_p
     const double ease = mus__lower_waist_ease(half);
     double low = 0.5 * (mus__lower_girth(half, level) + ease);
     double top = 0.5 * (mus__lower_girth(half, level + plan->height) + ease);
-    if (band == MUS__BAND_ELASTIC) top = low = 0.5 * (mus__lower_girth(half, level) + BAND_ELASTIC_EASE);
-    else if (band != MUS__BAND_CONTOUR && !high) top = low;
+    if (band == MUS__BAND_ELASTIC) {
+        const double knit = 0.5 * (mus__lower_girth(half, level) + BAND_ELASTIC_EASE);
+        const bool gives = mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_KNIT);
+        top = low = gives ? knit : fmax(knit, mus__lower_pulled(half));
+        plan->ratio = BAND_ELASTIC_RATIO * knit / low;
+    } else if (band != MUS__BAND_CONTOUR && !high)
+        top = low;
     plan->low[1] = part * low, plan->low[0] = low - plan->low[1];
     plan->high[1] = part * top, plan->high[0] = top - plan->high[1];
 }
@@ -121,13 +128,13 @@ static int32_t band_draw(mus__half *half, const band_plan *plan, bool front, int
 
 
 /* attaches the edge to the height `level` of the body; an elastic band gets its elastic */
-static void band_stay(mus__half *half, int32_t side, double level)
+static void band_stay(mus__half *half, int32_t side, double ratio, double level)
 {
     mus__edge_attributes *stay = &half->board.side[side].attr;
     stay->hold = MUS_HOLD_WAIST;
     stay->below = BAND_SETTLES - level;
-    if (half->style.option[MUS__AXIS_BAND] != MUS__BAND_ELASTIC) return;
-    stay->ratio = BAND_ELASTIC_RATIO;
+    if (!(ratio > 0.0)) return;
+    stay->ratio = ratio;
     stay->stiffness = BAND_ELASTIC_STIFFNESS;
 }
 
@@ -152,7 +159,7 @@ void mus__band_attach(mus__half *half)
     band_plan plan;
     band_plan_make(half, full, band_joint(half, n, waist, 0.5), &plan);
     if (!(plan.height > 0.0)) {
-        for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], mus__lower_level(half));
+        for (int32_t i = 0; i < n; i++) band_stay(half, waist[i], plan.ratio, mus__lower_level(half));
         return;
     }
     const int32_t opens = mus__waist_opens(half, n, waist);
@@ -169,6 +176,6 @@ void mus__band_attach(mus__half *half)
     mus__board_sew(board, 2, low, n, waist);
     if (board->status != MUS_OK) return;
     const double level = mus__lower_level(half) + plan.height;
-    band_stay(half, mus__board_find(board, front, "top"), level);
-    band_stay(half, mus__board_find(board, back, "top"), level);
+    band_stay(half, mus__board_find(board, front, "top"), plan.ratio, level);
+    band_stay(half, mus__board_find(board, back, "top"), plan.ratio, level);
 }

@@ -336,6 +336,46 @@ START_TEST(strips_have_the_lengths_of_their_edges)
 END_TEST
 
 
+/* what is pulled on without an opening passes the hip: casing and garment of each woven design with a band of elastic;
+ * the elastic itself is shorter than the waist that it holds to */
+START_TEST(a_woven_casing_passes_the_hip)
+{
+    static const char *const sizes[] = {"W40", "W52", "M50", "C116"};
+    mus_context *context = support_context();
+    int32_t seen = 0;
+    for (int32_t k = 0; k < 4 * mus_design_count(); k++) {
+        const int32_t design = k / 4;
+        const char *words = mus_design_words(design), *size = sizes[k % 4];
+        const mus__measures measures = drafts_measures(context, size);
+        mus_tape *tape = drafts_tape(context, size);
+        mus_pattern *pattern = NULL;
+        double casing = 0.0, garment = 0.0;
+        if (strstr(words, "band=elastic") != NULL && strstr(words, "cloth=knit") == NULL &&
+            mus_design_draft(context, design, tape, NULL, &pattern) == MUS_OK) {
+            for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
+                const bool band = strncmp(mus_pattern_panel_name(pattern, i), "band_", 5) == 0;
+                casing += band ? length_of(pattern, i, "waist") : 0.0;
+                garment += band ? 0.0 : length_of(pattern, i, "band");
+            }
+            const double passes = measures.v[MUS_MEASURE_HIP] + 0.02;
+            ck_assert_msg(casing > passes - 1e-4 && garment > passes - 1e-4, "%s %s: %g and %g over a hip of %g",
+                          mus_design_name(design), size, casing, garment, passes - 0.02);
+            const mus_pattern *made = mus_pattern_cut_only(pattern);
+            const int32_t panel = mus_pattern_find_panel(made, "elastic");
+            ck_assert_int_ne(panel, MUS_NONE);
+            const double strip = drafts_length(made, "elastic", "low");
+            ck_assert_double_eq_tol(strip, 0.9 * (measures.v[MUS_MEASURE_WAIST] + 0.02) + 0.02, 1e-3);
+            seen++;
+        }
+        mus_pattern_destroy(pattern);
+        mus_tape_destroy(tape);
+    }
+    ck_assert_int_gt(seen, 20);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_cut_only(void);
 
 
@@ -345,6 +385,7 @@ Suite *mus_suite_cut_only(void)
     TCase *tcase = tcase_create("pieces");
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, the_words_choose_the_pieces);
+    tcase_add_test(tcase, a_woven_casing_passes_the_hip);
     tcase_add_test(tcase, a_facing_has_the_edge_that_it_faces);
     tcase_add_test(tcase, no_corner_is_inside_the_inner_edge_of_a_facing);
     tcase_add_test(tcase, what_is_sewn_on_has_the_notches_of_its_edge);

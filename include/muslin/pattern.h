@@ -399,7 +399,8 @@ typedef struct mus_cut_line mus_cut_line;
  * A dart is two neighbouring edges that are sewn to each other and have no allowance of their own above 0. It is folded
  * down where its mouth runs up and down the wearer, else to the wearer's middle, and cut along the edge that it lies
  * on, so its mouth is capped. A dart inside the panel is not cut. A hem is an edge with "hem" in its label or name; the
- * ends of its allowance lie on the cut lines of its neighbours when it is turned up. Pleats are part of their edge.
+ * ends of its allowance lie on the cut lines of its neighbours when it is turned up. Pleats are part of their edge. An
+ * edge that buttons laps by its allowance, whose end has the allowance of the edge beside it.
  * Units:  allowance [m], 0 to 0.2
  * Errors: MUS_ERR_ARG, MUS_ERR_PATTERN (a panel without outline or without area), MUS_ERR_MEMORY; *out is NULL then
  * Memory: *out is the caller's: mus_cut_line_destroy(); it does not refer to the pattern

@@ -177,7 +177,9 @@ static void ring_edge(const rim_read *read, int32_t i, mus__cut_ring *ring)
     const mus__edge *edge = &read->pattern->edge[read->edge[i]];
     const double own = edge->attr.allowance;
     const bool hem = strstr(edge->attr.label, "hem") != NULL || strstr(edge->name, "hem") != NULL;
-    mus__cut_corner corner = {.width = own >= 0.0 ? own : read->allowance, .dart = MUS_NONE, .hem = hem};
+    const bool laps = edge->nseam == 1 && read->pattern->seam[edge->seam].closure == MUS_CLOSURE_BUTTONS;
+    mus__cut_corner corner = {
+        .width = own >= 0.0 ? own : read->allowance, .dart = MUS_NONE, .hem = hem, .laps = laps};
     const double *p = read->turn[i] > 0 ? edge->xy : edge->xy + 2 * (edge->nxy - 1);
     for (int32_t k = 0; k < edge->npiece; k++) {
         const int32_t piece = read->turn[i] > 0 ? k : edge->npiece - 1 - k, kind = edge->kinds[piece];
@@ -273,7 +275,7 @@ static mus_status ring_offset(const mus__cut_ring *ring, mus__cut_loops *out)
 static mus_status line_build(rim_read *read)
 {
     mus_context *context = read->pattern->context;
-    mus__cut_ring open = {.context = context}, turned = open, shut = open;
+    mus__cut_ring open = {.context = context}, turned = open, ended = open, shut = open;
     ring_read(read, &open);
     const bool flip = open.status == MUS_OK && ring_area(&open) < 0.0;
     if (flip) ring_flip(&open, read->line);
@@ -281,7 +283,8 @@ static mus_status line_build(rim_read *read)
     if (status == MUS_OK && open.n < 3)
         status = mus__fail(context, MUS_ERR_PATTERN, "panel %s has no area to cut", read->panel->name);
     if (status == MUS_OK) mus__cut_turn_hems(&open, &turned), status = turned.status;
-    if (status == MUS_OK) mus__cut_fold_darts(&turned, read->line->darts, &shut), status = shut.status;
+    if (status == MUS_OK) mus__cut_end_laps(&turned, &ended), status = ended.status;
+    if (status == MUS_OK) mus__cut_fold_darts(&ended, read->line->darts, &shut), status = shut.status;
     if (status == MUS_OK) status = ring_offset(&shut, &read->line->loops);
     if (status == MUS_OK && flip) {
         ring_flip(&(mus__cut_ring){.n = 0}, read->line);
@@ -290,6 +293,7 @@ static mus_status line_build(rim_read *read)
     mus__free(context, open.list);
     mus__free(context, shut.list);
     mus__free(context, turned.list);
+    mus__free(context, ended.list);
     return status;
 }
 

@@ -35,7 +35,8 @@ static void teardown(void)
 static int32_t polygon(int32_t n, const double *xy, const char *hems)
 {
     int32_t panel, points[32], edges[32], ahead[32];
-    ck_assert_int_eq(mus_pattern_add_panel(pattern, "panel", &panel), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_panel(pattern, mus_pattern_panel_count(pattern) == 0 ? "panel" : "other", &panel),
+                     MUS_OK);
     for (int32_t i = 0; i < n; i++)
         ck_assert_int_eq(mus_pattern_add_point(pattern, panel, xy[2 * i], xy[2 * i + 1], &points[i]), MUS_OK);
     for (int32_t i = 0; i < n; i++) {
@@ -316,6 +317,36 @@ START_TEST(a_curved_hem_turned_up_lies_on_the_cut_lines_of_its_sides)
 END_TEST
 
 
+/* the left half of a front with a V, its centre at x = 0, and its mirror image: a stand of 45 mm, 7 mm at the neck */
+START_TEST(the_end_of_a_stand_has_the_allowance_of_the_neck)
+{
+    const double v[] = {0, 0, 0.25, 0, 0.25, 0.6, 0.1, 0.6, 0, 0.4};
+    const double mirrored[] = {0, 0, 0, 0.4, -0.1, 0.6, -0.25, 0.6, -0.25, 0};
+    const int32_t left = polygon(5, v, "h----"), right = polygon(5, mirrored, "----h");
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    seam.edge_a = 4, seam.edge_b = 5, seam.closure = _i == 0 ? MUS_CLOSURE_BUTTONS : MUS_CLOSURE_ZIP;
+    ck_assert_int_eq(mus_pattern_add_seam(pattern, &seam, NULL), MUS_OK);
+    static const int32_t narrow[] = {3, 6}, wide[] = {4, 5};
+    for (int32_t i = 0; i < 2; i++) {
+        ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, narrow[i], 0.007), MUS_OK);
+        ck_assert_int_eq(mus_pattern_set_edge_allowance(pattern, wide[i], 0.045), MUS_OK);
+    }
+    /* the cut line of the neck: 7 mm above the line y = 0.4 + 2 x of the sew line, 7 mm sqrt(5) above it upright */
+    for (int32_t side = 0; side < 2; side++) {
+        const double sign = side == 0 ? 1.0 : -1.0, up = 0.007 * sqrt(5.0);
+        cut(side == 0 ? left : right, 0.01);
+        if (_i == 1) {
+            has_point(-sign * 0.045, 0.4); /* a zip ends where the seam does */
+            continue;
+        }
+        has_point(-sign * 0.045, 0.407);
+        has_point(sign * 0.5 * (0.407 - up - 0.4), 0.407);
+    }
+}
+END_TEST
+
+
 START_TEST(named_designs_are_enclosed_and_fold_on_the_bisector)
 {
     /* `make paper` asks it of all named designs, on the printed paper */
@@ -407,6 +438,7 @@ Suite *mus_suite_cut_line(void)
     tcase_add_test(test, a_dart_inside_the_panel_is_not_cut);
     tcase_add_test(test, a_hem_turned_up_lies_on_the_cut_lines_of_its_sides);
     tcase_add_test(test, a_curved_hem_turned_up_lies_on_the_cut_lines_of_its_sides);
+    tcase_add_loop_test(test, the_end_of_a_stand_has_the_allowance_of_the_neck, 0, 2);
     tcase_add_test(test, named_designs_are_enclosed_and_fold_on_the_bisector);
     tcase_add_test(test, faults_are_named);
     suite_add_tcase(suite, test);

@@ -15,7 +15,9 @@
 
 #define COLLAR_RIM 32     /* most edges of a collar; chosen: four times those of the richest draft */
 #define COLLAR_IN 0.003   /* [m] the outer edge is drawn in by */
-#define COLLAR_TAPER 0.015 /* [m] of the outer edge from the neck on, over which it is drawn in; chosen */
+/* [m] of the outer edge from the neck on, over which it is drawn in, less on a short one; chosen: the edge turns by 5
+ * degrees at most, which is sewn as a curve */
+#define COLLAR_TAPER 0.05
 #define COLLAR_CHORD 0.004 /* [m] chosen: 0.05 mm off an arc of 4 cm radius */
 
 typedef struct collar_rim {
@@ -64,6 +66,16 @@ static void collar_at(mus__cut_only *job, const collar_rim *rim, int32_t i, doub
 }
 
 
+/* how far the outer edge of rim edge i is drawn in at s [m]: from nothing at the neck to all of it without a corner,
+ * since 3 t^2 - 2 t^3 has no slope at either end */
+static double collar_in(const collar_rim *rim, int32_t i, double s)
+{
+    const double on = rim->at[i] + s, taper = fmin(COLLAR_TAPER, 0.5 * rim->run[i]);
+    const double t = fmax(0.0, fmin(1.0, fmin(on, rim->run[i] - on) / taper));
+    return COLLAR_IN * t * t * (3.0 - 2.0 * t);
+}
+
+
 /* the place of the under-collar's outline at s of rim edge i: drawn in to the left of the walk; at a corner along the
  * line between both edges. Returns how far a corner has moved along both its edges [m]: what is nearer to it than that
  * on either lies beyond the corner of the under-collar */
@@ -74,8 +86,7 @@ static double collar_point(mus__cut_only *job, const collar_rim *rim, int32_t i,
     memcpy(out, p, sizeof p);
     if (!rim->outer[i]) return 0.0;
     const int32_t before = (i + rim->n - 1) % rim->n;
-    const double on = rim->at[i] + s;
-    const double by = COLLAR_IN * fmax(0.0, fmin(1.0, fmin(on, rim->run[i] - on) / COLLAR_TAPER));
+    const double by = collar_in(rim, i, s);
     memcpy(other, along, sizeof other);
     if (s == 0.0 && rim->outer[before])
         collar_at(job, rim, before, mus_pattern_edge_length(job->pattern, rim->edge[before]), q, other);

@@ -15,20 +15,37 @@
 
 #define CLOSURE_ZIP (1.5 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
+/* [m] a buttonhole begins beyond the centre, where the shank of the button comes to rest; dressmaking has 3 mm */
+#define CLOSURE_SHANK 0.003
 
 
-/* marks buttons on the centre line at even distances from 1.5 cm below the neck to 4 cm above the hem */
+/* marks a button at `at` on a line, and about it the buttonhole of the other layer: as long as the button is wide, from
+ * beyond the line, on the side of `out` (a unit vector), to within the panel. Both layers are cut of one piece, so each
+ * has both marks */
+static void closure_fasten(mus__board *board, int32_t panel, const double *at, const double *out)
+{
+    const double within = MUS__BUTTON_STAND - CLOSURE_SHANK;
+    const double line[4] = {at[0] + CLOSURE_SHANK * out[0], at[1] + CLOSURE_SHANK * out[1], at[0] - within * out[0],
+                            at[1] - within * out[1]};
+    if (board->status != MUS_OK) return;
+    mus__board_mark_add(board, panel, "button", 1, at);
+    mus__board_mark_add(board, panel, "buttonhole", 2, line);
+}
+
+
+/* marks buttons and buttonholes on the centre line at even distances from 1.5 cm below the neck to 4 cm above the
+ * hem */
 static void closure_buttons(mus__half *half, int32_t side)
 {
     mus__board *board = &half->board;
     const double *top = mus__board_start(board, side), *foot = mus__board_end(board, side);
     if (top == NULL || foot == NULL) return;
-    const double length = top[1] - foot[1] - 5.5 * MUS__CM;
+    const double length = top[1] - foot[1] - 5.5 * MUS__CM, out[2] = {-1.0, 0.0};
     const int32_t n = (int32_t)ceil(fmax(length, 0.0) / CLOSURE_BUTTONS);
     for (int32_t i = 0; i <= n; i++) {
         const double part = n > 0 ? (double)i / n : 0.0;
         const double xy[2] = {top[0], top[1] - 1.5 * MUS__CM - part * fmax(length, 0.0)};
-        mus__board_mark_add(board, board->side[side].panel, "button", 1, xy);
+        closure_fasten(board, board->side[side].panel, xy, out);
     }
 }
 
@@ -43,12 +60,19 @@ static void closure_beyond(const mus__board *board, int32_t side, double out, do
 }
 
 
-void mus__closure_fold(mus__board *board, int32_t side, double out)
+/* marks the line `out` beyond a side [m] by its name */
+static void closure_line(mus__board *board, int32_t side, double out, const char *name)
 {
     double line[4];
     if (board->status != MUS_OK) return;
     closure_beyond(board, side, out, line);
-    mus__board_mark_add(board, board->side[side].panel, "fold", 2, line);
+    mus__board_mark_add(board, board->side[side].panel, name, 2, line);
+}
+
+
+void mus__closure_fold(mus__board *board, int32_t side, double out)
+{
+    closure_line(board, side, out, "fold");
 }
 
 
@@ -67,7 +91,9 @@ void mus__closure_set(mus__half *half)
         if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
         if (!opens || !front) continue;
         closure_buttons(half, i);
+        /* the interfacing is as wide as the stand and what is folded behind it, which ends on the centre too */
         mus__closure_fold(board, i, MUS__BUTTON_STAND);
+        closure_line(board, i, 2.0 * MUS__BUTTON_STAND, "interfacing");
     }
 }
 
@@ -166,6 +192,17 @@ void mus__closure_button(mus__board *board, int32_t side, double out, const char
     const double part = out / mus__hypot(q[0] - p[0], q[1] - p[1]);
     const double xy[2] = {0.5 * (p[0] + q[0]) + part * (q[1] - p[1]), 0.5 * (p[1] + q[1]) + part * (p[0] - q[0])};
     if (board->status == MUS_OK) mus__board_mark_add(board, board->side[side].panel, mark, 1, xy);
+}
+
+
+void mus__closure_fasten(mus__board *board, int32_t side)
+{
+    if (board->status != MUS_OK) return;
+    const double *p = mus__board_start(board, side), *q = mus__board_end(board, side);
+    const double length = mus__hypot(q[0] - p[0], q[1] - p[1]);
+    const double out[2] = {(q[1] - p[1]) / length, (p[0] - q[0]) / length};
+    const double at[2] = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
+    closure_fasten(board, board->side[side].panel, at, out);
 }
 
 

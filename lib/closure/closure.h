@@ -20,6 +20,8 @@ void mus__closure_folds(mus__half *half);
 void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *mark);
 /* Marks the line `out` beyond a side [m], at which what lies beyond is folded. */
 void mus__closure_fold(mus__board *board, int32_t side, double out);
+/* Marks a button and its buttonhole on the middle of a side whose two ends are alike: one laps over the other. */
+void mus__closure_fasten(mus__board *board, int32_t side);
 /* Marks a button, or what `mark` names, `out` beyond the middle of a side, within the panel when negative [m]. */
 void mus__closure_button(mus__board *board, int32_t side, double out, const char *mark);
 

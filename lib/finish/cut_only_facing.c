@@ -102,6 +102,20 @@ static int32_t facing_point(facing *f, const double *p)
 }
 
 
+/* the allowance that a facing has of an edge of the pattern [m]. An edge that buttons goes on as a stand, which is
+ * folded back over the end of the facing: that end has the allowance of a seam */
+static double facing_allowance(const facing *f, int32_t edge)
+{
+    const double own = mus_pattern_edge_allowance(f->pattern, edge);
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    const int32_t of = mus_pattern_edge_seam(f->pattern, edge);
+    const bool buttons = of != MUS_NONE && mus_pattern_seam(f->pattern, of, &seam) == MUS_OK &&
+                         seam.closure == MUS_CLOSURE_BUTTONS;
+    return buttons && own > MUS__SEAM_ALLOWANCE ? MUS__SEAM_ALLOWANCE : own;
+}
+
+
 /* add an edge to the outline; name, label and allowance are those of rim edge i, MUS_NONE: those of the call */
 static void facing_edge(facing *f, mus_edge_def *def, int32_t i, double allowance)
 {
@@ -111,7 +125,7 @@ static void facing_edge(facing *f, mus_edge_def *def, int32_t i, double allowanc
     if (f->status == MUS_OK) f->status = mus_pattern_add_edge(f->made, def, &made);
     if (f->status != MUS_OK) return;
     f->word[f->nword++] = made;
-    if (of != MUS_NONE) allowance = mus_pattern_edge_allowance(f->pattern, of);
+    if (of != MUS_NONE) allowance = facing_allowance(f, of);
     f->status = mus_pattern_set_edge_allowance(f->made, made, allowance);
     if (f->status == MUS_OK && of != MUS_NONE)
         f->status = mus_pattern_set_edge_label(f->made, made, mus_pattern_edge_label(f->pattern, of));

@@ -106,7 +106,7 @@ static void collar_shirt(mus__half *half, mus__neck *neck)
     if (board->status != MUS_OK) return;
 
     /* the ends of the stand lap over the centre front as the fronts do */
-    mus__closure_button(board, sides[1], 0.0, "button");
+    mus__closure_fasten(board, sides[1]);
     mus__closure_lap(board, sides[1], MUS__BUTTON_STAND, "stand end");
     const mus__leaf_def def = {.length = stand.top_length, .fall = fall,
                                .point = point, .rise = -1.0 * k * MUS__CM};

@@ -1,7 +1,9 @@
 /*
  * test_closure.c: skirts and trousers open where their closure crosses the waist: the zip below and the ends of the
  * band above it meet in one point of the sewn garment, and one end is longer by the underlap. A law over all designs.
+ * Fronts that button have their marks.
  */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -226,6 +228,58 @@ START_TEST(the_word_of_the_closure_says_where)
 END_TEST
 
 
+/* the number of marks of a panel called `name` with n points; of the last of them the points */
+static int32_t marks_of(const mus_pattern *pattern, int32_t panel, const char *name, int32_t n, const double **xy)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        int32_t own, points;
+        const char *mark;
+        const double *at;
+        ck_assert_int_eq(mus_pattern_mark(pattern, i, &own, &mark, &points, &at), MUS_OK);
+        if (own != panel || points != n || strcmp(mark, name) != 0) continue;
+        *xy = at;
+        count++;
+    }
+    return count;
+}
+
+
+/* each button of a front has the buttonhole of the other one about it: as long as the stand is wide, from beyond the
+ * centre to within. The interfacing ends as far beyond the fold as that is beyond the centre. The facing of a front
+ * does not repeat the stand */
+START_TEST(a_front_that_buttons_has_buttonholes_and_one_stand)
+{
+    static const char *const names[] = {"shirt", "coat", "pyjama_jacket", "shirt_dress", "waistcoat"};
+    mus_context *context = support_context();
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        mus_pattern *pattern = drafts_pattern(context, names[i], i == 3 ? "W40" : "M50");
+        const mus_pattern *made = mus_pattern_cut_only(pattern);
+        const int32_t front = mus_pattern_find_panel(pattern, "front_left");
+        const double *button, *hole, *fold, *strip;
+        const int32_t buttons = marks_of(pattern, front, "button", 1, &button);
+        ck_assert_msg(buttons > 2, "%s: %d buttons", names[i], (int)buttons);
+        ck_assert_int_eq(marks_of(pattern, front, "buttonhole", 2, &hole), buttons);
+        ck_assert_double_eq_tol(hypot(hole[2] - hole[0], hole[3] - hole[1]), 0.0175, 1e-6);
+        ck_assert_double_eq_tol(hole[1], button[1], 1e-9);
+        ck_assert_double_eq_tol(fabs(hole[0] - button[0]), 0.003, 1e-9);
+        ck_assert((hole[0] - button[0]) * (hole[2] - button[0]) < 0.0);
+        ck_assert_int_eq(marks_of(pattern, front, "fold", 2, &fold), 1);
+        ck_assert_int_eq(marks_of(pattern, front, "interfacing", 2, &strip), 1);
+        ck_assert_double_eq_tol(strip[0] - fold[0], fold[0] - button[0], 1e-9);
+        for (int32_t e = 0; made != NULL && e < mus_pattern_edge_count(made); e++) {
+            const int32_t panel = mus_pattern_edge_panel(made, e);
+            if (strcmp(mus_pattern_panel_label(made, panel), "facing") != 0) continue;
+            ck_assert_msg(mus_pattern_edge_allowance(made, e) < 0.0101, "%s: %s.%s", names[i],
+                          mus_pattern_panel_name(made, panel), mus_pattern_edge_name(made, e));
+        }
+        mus_pattern_destroy(pattern);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_closure(void);
 
 
@@ -237,6 +291,7 @@ Suite *mus_suite_closure(void)
     tcase_add_test(tcase, a_band_opens_where_the_closure_crosses_the_waist);
     tcase_add_test(tcase, a_shield_lies_below_the_underlap);
     tcase_add_test(tcase, the_word_of_the_closure_says_where);
+    tcase_add_test(tcase, a_front_that_buttons_has_buttonholes_and_one_stand);
     suite_add_tcase(suite, tcase);
     return suite;
 }

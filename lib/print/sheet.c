@@ -195,7 +195,8 @@ static bool sheet_path_meets(const mus__drawing *drawing, const mus__path *path,
 }
 
 
-/* leave out the pages that have no line but those that a neighbour shows in the overlap */
+/* leave out the pages that have no line but those that a neighbour shows in the overlap. The head of an arrow is no
+ * line: a grain line that ends on a page by the tip of its arrow asks for no paper there */
 static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
 {
     const double overlap = sheet->def.overlap;
@@ -208,7 +209,8 @@ static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
         if (mus__tile_find(sheet, tile->column, tile->row + 1) != MUS_NONE) box[1] += overlap;
         if (mus__tile_find(sheet, tile->column, tile->row - 1) != MUS_NONE) box[3] -= overlap;
         bool own = false;
-        for (int32_t i = 0; i < lines->npath && !own; i++) own = sheet_path_meets(lines, &lines->paths[i], box);
+        for (int32_t i = 0; i < lines->npath && !own; i++)
+            own = lines->paths[i].pen != MUS__PEN_INK && sheet_path_meets(lines, &lines->paths[i], box);
         if (own) {
             t++;
             continue;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "muslin/design.h"
 #include "print/page.h"
 #include "print/sample_patterns.h"
 #include "support.h"
@@ -257,15 +258,16 @@ START_TEST(pages_without_cloth_are_left_out)
 END_TEST
 
 
-START_TEST(a_page_without_a_line_of_its_own_is_left_out)
+/* is a path a line that a page is needed for: no letters and no head of an arrow? */
+static bool line_of(const mus__path *path)
 {
-    /* 1 m square: the pages inside hold no line at all */
-    const double xy[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    mus_pattern *square = sample_polygon(context, 4, xy);
-    make(square);
-    ck_assert_int_lt(sheet->ntile, sheet->columns * sheet->rows);
-    assert_all_shown();
-    /* each page that is left has a line where no other page shows it */
+    return path->layer != MUS__LAYER_LABEL && path->pen != MUS__PEN_INK;
+}
+
+
+/* each page has a line where no other page shows it */
+static void assert_pages_own_a_line(void)
+{
     for (int32_t i = 0; i < sheet->ntile; i++) {
         double box[4], other[4];
         bool own = false;
@@ -273,7 +275,7 @@ START_TEST(a_page_without_a_line_of_its_own_is_left_out)
         for (int32_t p = 0; p < sheet->drawing.npath && !own; p++) {
             const mus__path *path = &sheet->drawing.paths[p];
             const double *line = sheet->drawing.xy + path->at;
-            for (int32_t k = 0; k + 1 < path->nop && !own && path->layer != MUS__LAYER_LABEL; k++) {
+            for (int32_t k = 0; k + 1 < path->nop && !own && line_of(path); k++) {
                 if (sheet->drawing.ops[path->op + k + 1] != 'l') continue;
                 for (int32_t s = 0; s <= 1000 && !own; s++) {
                     const double x = line[2 * k] + 1e-3 * s * (line[2 * k + 2] - line[2 * k]);
@@ -288,7 +290,37 @@ START_TEST(a_page_without_a_line_of_its_own_is_left_out)
         }
         ck_assert_msg(own, "page %d repeats what others show", (int)i);
     }
+}
+
+
+START_TEST(a_page_without_a_line_of_its_own_is_left_out)
+{
+    /* 1 m square: the pages inside hold no line at all */
+    const double xy[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    mus_pattern *square = sample_polygon(context, 4, xy);
+    make(square);
+    ck_assert_int_lt(sheet->ntile, sheet->columns * sheet->rows);
+    assert_all_shown();
+    assert_pages_own_a_line();
     mus_pattern_destroy(square);
+}
+END_TEST
+
+
+START_TEST(the_head_of_an_arrow_alone_needs_no_page)
+{
+    /* the grain line of its sleeve ends 3 mm over the edge of a page that holds nothing else */
+    mus_tape *tape = NULL;
+    mus_pattern *shirt = NULL;
+    ck_assert_int_eq(mus_tape_create(context, &tape), MUS_OK);
+    ck_assert_int_eq(mus_tape_set_size(tape, "M50"), MUS_OK);
+    ck_assert_int_eq(mus_design_draft(context, mus_design_find("shirt_mandarin_long"), tape, NULL, &shirt), MUS_OK);
+    def.fold = 1;
+    make(shirt);
+    assert_all_shown();
+    assert_pages_own_a_line();
+    mus_pattern_destroy(shirt);
+    mus_tape_destroy(tape);
 }
 END_TEST
 
@@ -398,6 +430,7 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_a_page);
     tcase_add_test(test, pages_without_cloth_are_left_out);
     tcase_add_test(test, a_page_without_a_line_of_its_own_is_left_out);
+    tcase_add_test(test, the_head_of_an_arrow_alone_needs_no_page);
     tcase_add_test(test, runs_of_sides_change_no_answer);
     tcase_add_test(test, one_page_has_no_cover_and_its_own_squares);
     tcase_add_test(test, long_rolls_stay_below_the_limit_of_pdf);

@@ -16,7 +16,7 @@
 const mus__pen_style mus__pen_styles[MUS__PEN_COUNT] = {
     [MUS__PEN_CUT] = {0.0005, {0, 0}, 0},           [MUS__PEN_SEAM] = {0.00025, {0.003, 0.0015}, 0},
     [MUS__PEN_NOTCH] = {0.0004, {0, 0}, 0},         [MUS__PEN_GRAIN] = {0.0003, {0, 0}, 0},
-    [MUS__PEN_MARK] = {0.00025, {0.006, 0.002}, 0}, [MUS__PEN_TEXT] = {0.0003, {0, 0}, 0},
+    [MUS__PEN_MARK] = {0.00025, {0.010, 0.002}, 0}, [MUS__PEN_TEXT] = {0.0003, {0, 0}, 0},
     [MUS__PEN_TITLE] = {0.0005, {0, 0}, 0},         [MUS__PEN_SQUARE] = {0.00025, {0, 0}, 0},
     [MUS__PEN_DRILL] = {0.0003, {0, 0}, 0},
     [MUS__PEN_FRAME] = {0.00015, {0, 0}, 0.5},      [MUS__PEN_JOIN] = {0.00015, {0.001, 0.001}, 0.5},

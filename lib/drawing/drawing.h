@@ -34,7 +34,7 @@ typedef enum mus__pen {
     MUS__PEN_SEAM,   /* seam line: dashed 0.25 mm; no other pen has these dashes, so a reader can find seam lines */
     MUS__PEN_NOTCH,  /* slits */
     MUS__PEN_GRAIN,  /* grain line */
-    MUS__PEN_MARK,   /* lines inside a piece */
+    MUS__PEN_MARK,   /* lines inside a piece: dashes more than three times as long, told apart by eye */
     MUS__PEN_TEXT,   /* letters */
     MUS__PEN_SMALL,  /* small letters */
     MUS__PEN_TITLE,  /* large letters */

@@ -11,7 +11,7 @@
 
 /* [m] least width right of the squares, for text and page map; chosen: the shortest lines of text fit */
 #define COVER_COLUMN 0.048
-#define COVER_HEIGHT 0.19 /* [m] least height that the cover needs; chosen: squares, title and instructions fit */
+#define COVER_HEIGHT 0.205 /* [m] least height that the cover needs; chosen: squares, title and instructions fit */
 #define COVER_GAP 0.006   /* [m] distance of the squares from the page map; chosen: a ruler can be laid on them */
 #define LEGEND_STEP 0.008 /* [m] distance of the places that are tried for the legend; chosen: finer ones seldom help */
 #define LEGEND_GAP 0.003  /* [m] distance of the legend from the cut lines; chosen: twice the height of its letters */
@@ -20,17 +20,48 @@
 #define LEGEND_HEAD 0.019    /* [m] height of title and facts above the instructions */
 #define LEGEND_MAP 0.034     /* [m] height of the page map below them; chosen: names of pages are read in it */
 #define LEGEND_NAME 0.024    /* [m] corner of a page that holds its name */
-#define LEGEND_LINES 16      /* most lines of the instructions */
+#define LEGEND_LINES 24      /* most lines of the instructions */
+#define LEGEND_STEP_TEXT 1024 /* [bytes] of a step; chosen: letters of three bytes in the longest, twice over */
 
-/* how to print and join the pages */
-static const char *const cover_steps[] = {"paper.step.1", "paper.step.2", "paper.step.3", "paper.step.4"};
+/* how to print and join the pages, what the lines are, and the buttonholes of a sheet that has some */
+static const char *const cover_steps[] = {"paper.step.1", "paper.step.2", "paper.step.3", "paper.step.4",
+                                          "paper.step.5"};
 
-#define COVER_STEPS ((int32_t)(sizeof cover_steps / sizeof cover_steps[0]))
 
-
-static const char *cover_step(const mus_sheet *sheet, int32_t step)
+static int32_t cover_step_count(const mus_sheet *sheet)
 {
-    return mus_language_text(sheet->language, cover_steps[step]);
+    const int32_t all = (int32_t)(sizeof cover_steps / sizeof cover_steps[0]);
+    return sheet->buttonholes ? all : all - 1;
+}
+
+
+static void cover_step(const mus_sheet *sheet, int32_t step, char *out)
+{
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    mus__phrase_text(&phrase, 0,
+                     mus_language_text(sheet->language, sheet->nsize > 1 ? "paper.cut_sizes" : "paper.cut"));
+    mus__phrase_write(&phrase, cover_steps[step], out, LEGEND_STEP_TEXT);
+}
+
+
+#define LEGEND_TEXT 512 /* [bytes] of a line; chosen: letters of three bytes on the widest line, twice over */
+
+/* instructions broken into lines of `width` [m]: returns their number, 0 when they are too many */
+static int32_t legend_lines(const mus_sheet *sheet, double width, char (*lines)[LEGEND_TEXT])
+{
+    int32_t n = 0;
+    for (int32_t i = 0; i < cover_step_count(sheet); i++) {
+        char step[LEGEND_STEP_TEXT];
+        cover_step(sheet, i, step);
+        for (const char *at = step; *at != '\0';) {
+            const size_t fits = mus__lettering_line(sheet->lettering, at, LEGEND_LETTER, width);
+            if (n == LEGEND_LINES || fits == 0 || fits >= LEGEND_TEXT) return 0;
+            memcpy(lines[n], at, fits);
+            lines[n++][fits] = '\0';
+            at += fits + (at[fits] == ' ');
+        }
+    }
+    return n;
 }
 
 
@@ -173,41 +204,20 @@ void mus__cover_draw(const mus_sheet *sheet, mus__drawing *out)
     double left = margin, right = size[0] - margin, y = cover_title(sheet, out, left, right, size[1] - margin);
 
     /* squares on the left, the page map right of them, then the instructions and the list of the pieces */
-    double top = y - 0.005, low = top - MUS__SQUARES, letter = LEGEND_LETTER;
+    double top = y - 0.005, low = top - MUS__SQUARES;
+    char lines[LEGEND_LINES][LEGEND_TEXT];
     double column = left + MUS__SQUARES + COVER_GAP;
     mus__squares_draw(out, left, low);
     cover_map(sheet, out, column, low, right - column, MUS__SQUARES);
-    for (int32_t i = 0; i < COVER_STEPS; i++) {
-        const double width = mus__lettering_width(sheet->lettering, cover_step(sheet, i), false);
-        if (letter * width > right - left) letter = (right - left) / width;
-    }
+    const int32_t n = legend_lines(sheet, right - left, lines);
     y = low - 0.008;
-    for (int32_t i = 0; i < COVER_STEPS; i++, y -= 0.005)
-        mus__page_line(out, MUS__PEN_TEXT, cover_step(sheet, i), left, right, y, letter);
+    for (int32_t i = 0; i < n; i++, y -= LEGEND_PITCH)
+        mus__page_line(out, MUS__PEN_TEXT, lines[i], left, right, y, LEGEND_LETTER);
     cover_pieces(sheet, out, left, right, y - 0.004, margin + 0.004);
 }
 
 
 /* ---- on free places of the pages ---- */
-
-#define LEGEND_TEXT 512 /* [bytes] of a line; chosen: letters of three bytes on the widest line, twice over */
-
-/* instructions broken into lines of `width` [m]: returns their number, 0 when they are too many */
-static int32_t legend_lines(const mus_sheet *sheet, double width, char (*lines)[LEGEND_TEXT])
-{
-    int32_t n = 0;
-    for (int32_t i = 0; i < COVER_STEPS; i++) {
-        for (const char *at = cover_step(sheet, i); *at != '\0';) {
-            const size_t fits = mus__lettering_line(sheet->lettering, at, LEGEND_LETTER, width);
-            if (n == LEGEND_LINES || fits == 0 || fits >= LEGEND_TEXT) return 0;
-            memcpy(lines[n], at, fits);
-            lines[n++][fits] = '\0';
-            at += fits + (at[fits] == ' ');
-        }
-    }
-    return n;
-}
-
 
 #define LEGEND_MET 32 /* points of pieces that are remembered; chosen: changes the time alone */
 

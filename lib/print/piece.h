@@ -88,14 +88,17 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
  * line: x and y of the low one, then of the high one [m] */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain);
+#define MUS__CAPTION 128 /* [bytes] of the name of a mark with its zero byte; longer ones are cut; chosen */
+
 /* the name of a mark, with the left end of its base line and its direction */
 typedef struct mus__caption {
-    const char *text;
+    char text[MUS__CAPTION];
     double x, y;
     mus__text_style style;
 } mus__caption;
 
-/* compute the caption of a mark; false when the mark is not on the piece */
+/* compute the caption of a mark; false when the mark is not on the piece, or is a point on a line, whose caption names
+ * both: "buttonhole, button" */
 bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
                        mus__caption *out);
 

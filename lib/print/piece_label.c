@@ -13,8 +13,14 @@
 #include "drawing/lettering.h"
 #include "print/phrase.h"
 #include "print/page.h"
+#include "print/plain_words.h"
 
-#define LABEL_LINES 8    /* most lines of a label: as many as label_lines adds */
+#define LABEL_ALLOWANCES 5 /* most lines about allowances; chosen: all edges of the richest draft have room */
+#define LABEL_LINES (7 + LABEL_ALLOWANCES) /* most lines of a label: as many as label_fill adds */
+#define LABEL_WIDTHS 8   /* most allowances of a piece that are told apart; chosen: twice those of the richest draft */
+#define LABEL_SAME 5e-5  /* [m] allowances this near are one: half of what a label tells */
+#define LABEL_NAMED 3    /* edges from which on one allowance is that of the "other edges"; chosen: lines stay short */
+#define LABEL_WIDE 0.11  /* [m] from which on allowances go on in a new line; chosen: as wide as a long name */
 #define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
 #define LABEL_PITCH 1.75 /* height of a line over that of its capitals; chosen: letters with tails keep clear */
 #define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */
@@ -59,25 +65,117 @@ static label_line *label_add(label_block *block, double height, bool bold)
 }
 
 
-/* write the line about allowances: each width once, in the order of the outline */
-static void label_allowance(const mus_sheet *sheet, const mus__piece *piece, char *out, size_t size)
+/* an allowance, and the edges of the piece that have it */
+typedef struct label_width {
+    double width; /* [m] */
+    int32_t n;    /* edges of other words than each other */
+    char words[LABEL_NAMED][MUS__PLAIN];
+} label_width;
+
+
+/* is a side without an allowance the leg of a dart, which is folded shut and not cut? */
+static bool label_folded(const mus_pattern *pattern, const mus__side *side)
 {
-    double seen[6];
-    char widths[128] = "";
+    return side->width == 0.0 && mus_pattern_edge_seam(pattern, side->edge) != MUS_NONE;
+}
+
+
+/* write what side i is called: by its label, or by its name where the label is that of sides with another allowance */
+static void label_side(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece, int32_t i,
+                       char *out)
+{
+    char plain[MUS__PLAIN], other[MUS__PLAIN];
+    mus__plain_edge_words(pattern, piece->sides[i].edge, plain);
+    bool shared = false;
+    for (int32_t k = 0; k < piece->nside && !shared; k++) {
+        if (fabs(piece->sides[k].width - piece->sides[i].width) <= LABEL_SAME) continue;
+        mus__plain_edge_words(pattern, piece->sides[k].edge, other);
+        shared = strcmp(plain, other) == 0;
+    }
+    if (shared) mus__plain_edge_name(pattern, piece->sides[i].edge, plain);
+    mus__plain_words_in(sheet->language, "edge", plain, out);
+}
+
+
+/* list the allowances of a piece in the order of the outline; returns their number */
+static int32_t label_widths(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece,
+                            label_width *widths)
+{
     int32_t n = 0;
+    for (int32_t i = 0; i < piece->nside; i++) {
+        int32_t k = 0, w = 0;
+        char words[MUS__PLAIN];
+        if (label_folded(pattern, &piece->sides[i])) continue;
+        while (k < n && fabs(widths[k].width - piece->sides[i].width) > LABEL_SAME) k++;
+        if (k == LABEL_WIDTHS) continue;
+        if (k == n) widths[n++] = (label_width){.width = piece->sides[i].width};
+        label_side(sheet, pattern, piece, i, words);
+        while (w < widths[k].n && w < LABEL_NAMED && strcmp(widths[k].words[w], words) != 0) w++;
+        if (w < widths[k].n) continue;
+        if (w < LABEL_NAMED) memcpy(widths[k].words[w], words, sizeof words);
+        widths[k].n++;
+    }
+    return n;
+}
+
+
+/* write "hem 25 mm", "hem, side 10 mm", "other edges 10 mm", or "no allowance: inner" */
+static void label_edges(const mus_sheet *sheet, const label_width *width, bool others, char *out, size_t size)
+{
+    char words[LABEL_BYTES] = "", number[32];
     size_t at = 0;
     mus__phrase phrase = mus__phrase_in(sheet->language);
-    const char *comma = mus_language_text(sheet->language, "list.comma");
-    for (int32_t i = 0; i < piece->nside && n < 6; i++) {
-        int32_t k = 0;
-        while (k < n && fabs(seen[k] - piece->sides[i].width) > 5e-5) k++;
-        if (k < n) continue;
-        seen[n++] = piece->sides[i].width;
-        at += (size_t)snprintf(widths + at, sizeof widths - at, "%s", n > 1 ? comma : "");
-        at += (size_t)mus__print_millimetres(widths + at, sizeof widths - at, piece->sides[i].width);
+    for (int32_t i = 0; i < width->n && i < LABEL_NAMED && at < sizeof words && !others; i++)
+        at += (size_t)snprintf(words + at, sizeof words - at, "%s%s",
+                               i > 0 ? mus_language_text(sheet->language, "list.comma") : "", width->words[i]);
+    mus__print_millimetres(number, sizeof number, width->width);
+    mus__phrase_text(&phrase, 0, others ? mus_language_text(sheet->language, "paper.other_edges") : words);
+    mus__phrase_text(&phrase, 1, number);
+    mus__phrase_write(&phrase, width->width > 0.0 ? "paper.edge" : "paper.none_at", out, size);
+}
+
+
+/* add the lines about allowances: one for all edges, or each with the edges that have it, of which the one of most
+ * edges comes last, as that of all others */
+static void label_allowance(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece,
+                            label_block *block)
+{
+    label_width widths[LABEL_WIDTHS];
+    const int32_t n = label_widths(sheet, pattern, piece, widths);
+    const char *semicolon = mus_language_text(sheet->language, "list.semicolon");
+    const int32_t lines = block->n;
+    int32_t most = 0;
+    char text[LABEL_BYTES], first[LABEL_BYTES];
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    label_line *line = label_add(block, 0.0035, false);
+    if (n <= 1) {
+        mus__print_millimetres(text, sizeof text, n > 0 ? widths[0].width : 0.0);
+        mus__phrase_text(&phrase, 0, text);
+        mus__phrase_write(&phrase, n == 0 || widths[0].width == 0.0 ? "paper.no_allowance" : "paper.allowance",
+                          line->text, LABEL_BYTES);
+        return;
     }
-    mus__phrase_text(&phrase, 0, widths);
-    mus__phrase_write(&phrase, n == 1 && seen[0] == 0.0 ? "paper.no_allowance" : "paper.allowance", out, size);
+    for (int32_t k = 1; k < n; k++)
+        if (widths[k].n > widths[most].n) most = k;
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t own = k + 1 == n ? most : k < most ? k : k + 1;
+        label_edges(sheet, &widths[own], own == most && widths[own].n >= LABEL_NAMED, text, sizeof text);
+        if (k == 0) {
+            memcpy(first, text, sizeof first);
+            mus__phrase_text(&phrase, 0, first);
+            mus__phrase_write(&phrase, "paper.allowance_at", line->text, LABEL_BYTES);
+            continue;
+        }
+        const size_t at = strlen(line->text);
+        const double width = line->height * (mus__lettering_width(sheet->lettering, line->text, false) +
+                                             mus__lettering_width(sheet->lettering, text, false));
+        if (width > LABEL_WIDE && block->n < lines + LABEL_ALLOWANCES) {
+            line = label_add(block, line->height, false);
+            snprintf(line->text, LABEL_BYTES, "%s", text);
+        } else {
+            snprintf(line->text + at, LABEL_BYTES - at, "%s%s", semicolon, text);
+        }
+    }
 }
 
 
@@ -94,7 +192,7 @@ static void label_sizes(const mus_sheet *sheet, char *out, size_t size)
 }
 
 
-static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block)
+static void label_fill(const mus_sheet *sheet, const mus_pattern *pattern, int32_t index, label_block *block)
 {
     const mus__piece *piece = &sheet->pieces[index];
     mus__phrase phrase = mus__phrase_in(sheet->language);
@@ -113,7 +211,7 @@ static void label_fill(const mus_sheet *sheet, int32_t index, label_block *block
         mus__phrase_text(&phrase, 0, person);
         mus__phrase_write(&phrase, "paper.person", label_add(block, 0.0045, false)->text, LABEL_BYTES);
     }
-    label_allowance(sheet, piece, label_add(block, 0.0035, false)->text, LABEL_BYTES);
+    label_allowance(sheet, pattern, piece, block);
     mus__phrase_write(&phrase, "paper.scale", label_add(block, 0.0035, false)->text, LABEL_BYTES);
 
     for (int32_t i = 0; i < block->n; i++) {
@@ -254,7 +352,7 @@ mus_status mus__label_draw(mus_sheet *sheet, const mus_pattern *pattern, int32_t
         memcpy(walls.box[1], sheet->legend, sizeof sheet->legend);
     }
     label_block block;
-    label_fill(sheet, index, &block);
+    label_fill(sheet, pattern, index, &block);
     mus_status status = walls_build(sheet, pattern, piece, grain, &walls);
     if (status == MUS_OK) {
         label_place place = label_find(sheet, piece, &walls, &block);

@@ -24,6 +24,7 @@
 #define CAPTION 0.0025
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
+#define CAPTION_SAME 1e-6 /* [m] a point this near to a line lies on it; chosen: above rounding */
 #define FOLD_CLEAR 0.001 /* [m] distance of the words from a line that is folded; chosen: they do not touch it */
 #define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
 
@@ -259,19 +260,60 @@ static void marks_grain(mus__drawing *out, const mus__piece *piece, int32_t inde
 }
 
 
+/* the name of a mark in a language */
+static const char *caption_name(int32_t language, const char *name)
+{
+    char key[64];
+    snprintf(key, sizeof key, "mark.%s", name);
+    const char *text = language != MUS_LANGUAGE_ENGLISH ? mus_language_text(language, key) : NULL;
+    return text != NULL ? text : name;
+}
+
+
+/* does a point lie on a line of n points, of at least one segment? */
+static bool caption_on(const double *p, int32_t n, const double *xy)
+{
+    for (int32_t k = 0; k + 1 < n; k++) {
+        const double *a = xy + 2 * k, dx = a[2] - a[0], dy = a[3] - a[1], d = dx * dx + dy * dy;
+        const double x = p[0] - a[0], y = p[1] - a[1], along = x * dx + y * dy, across = x * dy - y * dx;
+        if (d > 0.0 && along >= 0.0 && along <= d && fabs(across) <= CAPTION_SAME * sqrt(d)) return true;
+    }
+    return false;
+}
+
+
+/* write the names of the marks that have the caption of a mark: its own, and those of the points on a line; false for
+ * such a point itself */
+static bool caption_names(const mus_pattern *pattern, int32_t language, int32_t mark, char *out)
+{
+    int32_t panel, n, own;
+    const char *name;
+    const double *xy;
+    if (mus_pattern_mark(pattern, mark, &own, &name, &n, &xy) != MUS_OK) return false;
+    size_t at = (size_t)snprintf(out, MUS__CAPTION, "%s", caption_name(language, name));
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        int32_t points;
+        const double *other;
+        if (mus_pattern_mark(pattern, i, &panel, &name, &points, &other) != MUS_OK || panel != own) continue;
+        if (n == 1 && caption_on(xy, points, other)) return false;
+        if (points != 1 || at >= MUS__CAPTION || !caption_on(other, n, xy)) continue;
+        at += (size_t)snprintf(out + at, MUS__CAPTION - at, "%s%s", mus_language_text(language, "list.comma"),
+                               caption_name(language, name));
+    }
+    return true;
+}
+
+
 /* the text runs along the mark from its first to its last point, readable from below or from the right */
 bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
                        mus__caption *out)
 {
     int32_t panel, n;
-    char key[64];
     const double *xy;
     double a[2], b[2];
-    if (mus_pattern_mark(pattern, mark, &panel, &out->text, &n, &xy) != MUS_OK || panel != piece->panel || n < 1)
+    if (mus_pattern_mark(pattern, mark, &panel, NULL, &n, &xy) != MUS_OK || panel != piece->panel || n < 1 ||
+        !caption_names(pattern, language, mark, out->text))
         return false;
-    snprintf(key, sizeof key, "mark.%s", out->text);
-    if (language != MUS_LANGUAGE_ENGLISH && mus_language_text(language, key) != NULL)
-        out->text = mus_language_text(language, key);
     mus__piece_point(piece, xy, a);
     mus__piece_point(piece, xy + 2 * (n - 1), b);
     double dx = b[0] - a[0], dy = b[1] - a[1], d = sqrt(dx * dx + dy * dy);
@@ -362,6 +404,19 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
 }
 
 
+/* is a line too short for its dashes to show as one line? It is drawn without them: a buttonhole */
+static bool marks_short(int32_t n, const double *xy)
+{
+    const double *dash = mus__pen_styles[MUS__PEN_MARK].dash;
+    double length = 0.0;
+    for (int32_t k = 0; k + 1 < n; k++) {
+        const double dx = xy[2 * k + 2] - xy[2 * k], dy = xy[2 * k + 3] - xy[2 * k + 1];
+        length += sqrt(dx * dx + dy * dy);
+    }
+    return length < 2.0 * dash[0] + dash[1];
+}
+
+
 static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index)
 {
     for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
@@ -374,7 +429,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         bool open = false;
         mus__piece_point(piece, xy, first);
         if (n == 1 && piece->fold && marks_inward(piece, first) < -1e-9) continue;
-        mus__draw_path(out, index, MUS__LAYER_MARKS, n > 1 ? MUS__PEN_MARK : MUS__PEN_SQUARE);
+        mus__draw_path(out, index, MUS__LAYER_MARKS, marks_short(n, xy) ? MUS__PEN_SQUARE : MUS__PEN_MARK);
         mus__draw_mark(out, i);
         if (n == 1) {
             /* a drill point: a cross */

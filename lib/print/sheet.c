@@ -95,8 +95,10 @@ static mus_status sheet_names(mus_sheet *sheet, const mus_pattern *pattern)
         return mus__print_memory(sheet->context, "the pieces");
     for (int32_t i = 0; i < nmark; i++) {
         const char *name = "";
-        mus_pattern_mark(pattern, i, NULL, &name, NULL, NULL);
+        int32_t points = 0;
+        mus_pattern_mark(pattern, i, NULL, &name, &points, NULL);
         snprintf(sheet->marks[i], sizeof *sheet->marks, "%s", name);
+        sheet->buttonholes = sheet->buttonholes || (points == 2 && strcmp(name, "buttonhole") == 0);
     }
     return MUS_OK;
 }

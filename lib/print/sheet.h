@@ -33,6 +33,7 @@ struct mus_sheet {
     char (*names)[128]; /* (npiece) names of the panels */
     char (*labels)[128]; /* (npiece) labels of the panels */
     char (*marks)[128]; /* (marks of the pattern) names of the marks */
+    bool buttonholes;   /* a mark is the line of a buttonhole, with the button of the other layer on it */
     double extent[2];
     bool tiled;         /* several pages that are joined */
     bool cover;         /* the first page has title, squares and instructions; else they stand on the sheet */

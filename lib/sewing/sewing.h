@@ -9,9 +9,9 @@
 #define MUS_SEWING_H
 
 #include "drawing/drawing.h"
+#include "print/plain_words.h"
 
-#define MUS__WORDS 128 /* [bytes] of a name in words with its zero byte; longer ones are cut; chosen */
-#define MUS__PHRASE (4 * MUS__WORDS + 32) /* [bytes] both sides of a seam in words */
+#define MUS__PHRASE (4 * MUS__PLAIN + 32) /* [bytes] both sides of a seam in words */
 
 /* what a step does, in the order of the work */
 typedef enum mus__sewing_kind {
@@ -37,7 +37,7 @@ typedef struct mus__sewn {
     int32_t line;          /* first seam of the line that it is stitched in */
     int32_t next;          /* next seam of the line, or MUS_NONE */
     int32_t step;
-    char words[2][2][2 * MUS__WORDS]; /* of each side: panel and edge, without left and right, and with them */
+    char words[2][2][2 * MUS__PLAIN]; /* of each side: panel and edge, without left and right, and with them */
     char phrase[MUS__PHRASE];         /* as it is told, in English */
 } mus__sewn;
 
@@ -57,15 +57,6 @@ typedef struct mus__sewing {
     int32_t *passes;         /* (edges) how often an outline passes each edge: twice for a line inside a panel */
     int32_t *notches;        /* (edges) number of notches on each */
 } mus__sewing;
-
-/* ---- words (sewing_words.c) ---- */
-
-/* write a name as words; without the words left and right, and the r of a mirrored edge, when `sideless` */
-void mus__sewing_words(const char *name, bool sideless, char *out);
-/* write what an edge is called: its label, else its name, without digits; "edge" without both */
-void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out);
-/* write the English words of a "panel" or an "edge" in a language */
-void mus__sewing_words_in(int32_t language, const char *kind, const char *words, char *out);
 
 /* ---- seams (sewing_seams.c) ---- */
 

@@ -15,7 +15,7 @@
 
 /* a free edge; its words say what is finished, those of its panel where */
 typedef struct finish_edge {
-    char words[MUS__WORDS], panel[MUS__WORDS];
+    char words[MUS__PLAIN], panel[MUS__PLAIN];
     double length;    /* [m] */
     double allowance; /* [m], NaN where it is left to the sheet */
     bool elastic;
@@ -83,7 +83,7 @@ void mus__finish_find(mus__instructions *job)
         const int32_t panel = mus_pattern_edge_panel(extra, i);
         if (panel == MUS_NONE || strcmp(mus_pattern_panel_label(extra, panel), "facing") != 0) continue;
         if (job->finishes[panel][0] == '\0' && facing_copies(job, i))
-            mus__sewing_edge_words(extra, i, job->finishes[panel]);
+            mus__plain_edge_words(extra, i, job->finishes[panel]);
     }
     for (int32_t i = 0; i < mus_pattern_panel_count(extra); i++) {
         const char *name = mus_pattern_panel_name(extra, i);
@@ -94,7 +94,7 @@ void mus__finish_find(mus__instructions *job)
             const size_t size = strlen(label);
             if (size <= longest || strncmp(name, label, size) != 0) continue;
             longest = size;
-            mus__sewing_edge_words(pattern, k, job->finishes[i]);
+            mus__plain_edge_words(pattern, k, job->finishes[i]);
         }
     }
 }
@@ -137,8 +137,8 @@ static int32_t finish_edges(const mus__instructions *job, finish_edge *edges)
         if (!job->free[i]) continue;
         finish_edge *edge = &edges[n++];
         const int32_t panel = mus_pattern_edge_panel(job->pattern, i);
-        mus__sewing_edge_words(job->pattern, i, edge->words);
-        mus__sewing_words(mus_pattern_panel_name(job->pattern, panel), true, edge->panel);
+        mus__plain_edge_words(job->pattern, i, edge->words);
+        mus__plain_words(mus_pattern_panel_name(job->pattern, panel), true, edge->panel);
         edge->length = mus_pattern_edge_length(job->pattern, i);
         edge->allowance = mus_pattern_edge_allowance(job->pattern, i);
         edge->elastic = finish_elastic(job->pattern, i);
@@ -211,7 +211,7 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
     const finish_edge *first = &edges[group->first];
     const char *comma = mus_language_text(job->language, "list.comma");
     const bool bare = strcmp(first->words, first->panel) == 0;
-    char told[MUS__WORDS], words[MUS__WORDS], depth[2 * MUS__LENGTH], length[MUS__LENGTH];
+    char told[MUS__PLAIN], words[MUS__PLAIN], depth[2 * MUS__LENGTH], length[MUS__LENGTH];
     bool elastic = false;
     mus__sink panels;
     mus__sink_init(&panels, job->sink.context);
@@ -245,9 +245,9 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
 static bool part_edges(const mus__instructions *job, int32_t panel, bool free)
 {
     for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern) && job->finishes[panel][0] != '\0'; i++) {
-        char words[MUS__WORDS];
+        char words[MUS__PLAIN];
         if (job->free[i] != free) continue;
-        mus__sewing_edge_words(job->pattern, i, words);
+        mus__plain_edge_words(job->pattern, i, words);
         if (finish_with(job, panel, words)) return true;
     }
     return false;
@@ -293,7 +293,7 @@ static void tell_over_seams(mus__instructions *job)
         if (part_edges(job, i, true) || !part_edges(job, i, false)) continue;
         while (!finish_with(job, first, job->finishes[i])) first++;
         if (first < i) continue;
-        char words[MUS__WORDS];
+        char words[MUS__PLAIN];
         mus__phrase phrase = mus__phrase_in(job->language);
         mus__phrase_text(&phrase, 0, mus__tell_words(job, "edge", job->finishes[i], words));
         tell_facings(job, job->finishes[i], &phrase, "step.over", 1);
@@ -304,11 +304,11 @@ static void tell_over_seams(mus__instructions *job)
 /* an elastic that lies in no free edge: at the first of its edges by words */
 static void tell_elastic(mus__instructions *job)
 {
-    char least[MUS__WORDS] = "", words[MUS__WORDS];
+    char least[MUS__PLAIN] = "", words[MUS__PLAIN];
     for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
         if (!finish_elastic(job->pattern, i)) continue;
         if (job->free[i]) return;
-        mus__sewing_edge_words(job->pattern, i, words);
+        mus__plain_edge_words(job->pattern, i, words);
         if (least[0] == '\0' || strcmp(words, least) < 0) memcpy(least, words, sizeof least);
     }
     if (least[0] == '\0') return;

@@ -22,7 +22,7 @@ const char *mus__tell_length(const mus__instructions *job, double length, char *
 
 const char *mus__tell_words(const mus__instructions *job, const char *kind, const char *words, char *out)
 {
-    mus__sewing_words_in(job->language, kind, words, out);
+    mus__plain_words_in(job->language, kind, words, out);
     return out;
 }
 
@@ -39,7 +39,7 @@ void mus__tell_step(mus__instructions *job, const mus__phrase *phrase, const cha
 
 void mus__list_add(mus__instructions *job, const mus_pattern *pattern, int32_t panel)
 {
-    mus__sewing_words(mus_pattern_panel_name(pattern, panel), true, job->list.words[job->list.n++]);
+    mus__plain_words(mus_pattern_panel_name(pattern, panel), true, job->list.words[job->list.n++]);
 }
 
 
@@ -60,7 +60,7 @@ static size_t list_stem(const char *words)
 
 char *mus__list_take(mus__instructions *job)
 {
-    char(*words)[MUS__WORDS] = job->list.words, stem[MUS__WORDS], told[MUS__WORDS];
+    char(*words)[MUS__PLAIN] = job->list.words, stem[MUS__PLAIN], told[MUS__PLAIN];
     const char *comma = mus_language_text(job->language, "list.comma");
     mus__sink text;
     mus__sink_init(&text, job->sink.context);

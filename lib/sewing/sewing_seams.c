@@ -51,10 +51,10 @@ static int32_t seam_buttons(const mus_pattern *pattern, const mus_seam_def *def)
 /* write the words of panel and edge, by which seams are sorted */
 static void seam_words(const mus_pattern *pattern, int32_t edge, bool sideless, char *out)
 {
-    char panel[MUS__WORDS], own[MUS__WORDS];
-    mus__sewing_words(mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, edge)), sideless, panel);
-    mus__sewing_words(mus_pattern_edge_name(pattern, edge), sideless, own);
-    snprintf(out, 2 * MUS__WORDS, "%s/%s", panel, own);
+    char panel[MUS__PLAIN], own[MUS__PLAIN];
+    mus__plain_words(mus_pattern_panel_name(pattern, mus_pattern_edge_panel(pattern, edge)), sideless, panel);
+    mus__plain_words(mus_pattern_edge_name(pattern, edge), sideless, own);
+    snprintf(out, 2 * MUS__PLAIN, "%s/%s", panel, own);
 }
 
 
@@ -64,7 +64,7 @@ static bool seam_after(const mus_pattern *pattern, int32_t a, int32_t b)
 {
     int order = 0;
     for (int32_t sideless = 1; sideless >= 0 && order == 0; sideless--) {
-        char first[2 * MUS__WORDS], second[2 * MUS__WORDS];
+        char first[2 * MUS__PLAIN], second[2 * MUS__PLAIN];
         seam_words(pattern, a, sideless, first);
         seam_words(pattern, b, sideless, second);
         order = strcmp(first, second);
@@ -155,12 +155,12 @@ static bool seam_twins(const mus__sewn *s, const mus__sewn *t)
 
 void mus__sewing_phrase(const mus_pattern *pattern, const mus__sewn *sewn, int32_t language, char *out)
 {
-    char panel[2][MUS__WORDS], edge[2][MUS__WORDS], told[2][2][MUS__WORDS];
+    char panel[2][MUS__PLAIN], edge[2][MUS__PLAIN], told[2][2][MUS__PLAIN];
     for (int32_t k = 0; k < 2; k++) {
-        mus__sewing_words(mus_pattern_panel_name(pattern, sewn->panel[k]), sewn->twins > 1, panel[k]);
-        mus__sewing_edge_words(pattern, sewn->edge[k], edge[k]);
-        mus__sewing_words_in(language, "panel", panel[k], told[k][0]);
-        mus__sewing_words_in(language, "edge", edge[k], told[k][1]);
+        mus__plain_words(mus_pattern_panel_name(pattern, sewn->panel[k]), sewn->twins > 1, panel[k]);
+        mus__plain_edge_words(pattern, sewn->edge[k], edge[k]);
+        mus__plain_words_in(language, "panel", panel[k], told[k][0]);
+        mus__plain_words_in(language, "edge", edge[k], told[k][1]);
     }
     mus__phrase phrase = mus__phrase_in(language);
     const char *key = "line.edges";

@@ -37,13 +37,13 @@ static void tell_pieces(mus__instructions *job)
     for (int32_t k = 0; k < 2; k++) {
         const mus_pattern *pattern = k == 0 ? job->pattern : job->extra;
         for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
-            char words[MUS__WORDS], told[MUS__WORDS], cut[256];
+            char words[MUS__PLAIN], told[MUS__PLAIN], cut[256];
             mus__piece piece;
             if (!mus__tell_printed(pattern, i)) continue;
             memset(&piece, 0, sizeof piece);
             for (int32_t m = 0; m < MUS_MATERIAL_COUNT; m++) piece.copies[m] = mus__tell_copies(pattern, i, m);
             piece.mirrored = mus__tell_mirrored(pattern, i);
-            mus__sewing_words(mus_pattern_panel_name(pattern, i), piece.mirrored, words);
+            mus__plain_words(mus_pattern_panel_name(pattern, i), piece.mirrored, words);
             mus__piece_cut_text(&piece, job->language, cut, sizeof cut);
             if (cut[0] >= 'A' && cut[0] <= 'Z') cut[0] = (char)(cut[0] - 'A' + 'a'); /* after a colon */
             mus__phrase phrase = mus__phrase_in(job->language);
@@ -122,8 +122,8 @@ static void tell_notions(mus__instructions *job)
 /* the longer of two ends lies under the other: what a seam needs at both is not the underlap */
 static void tell_underlap(mus__instructions *job, const mus__sewn *seam, int32_t side, double underlap)
 {
-    char words[MUS__WORDS], told[MUS__WORDS], depth[MUS__LENGTH];
-    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[side]), seam->twins > 1, words);
+    char words[MUS__PLAIN], told[MUS__PLAIN], depth[MUS__LENGTH];
+    mus__plain_words(mus_pattern_panel_name(job->pattern, seam->panel[side]), seam->twins > 1, words);
     mus__phrase phrase = mus__phrase_in(job->language);
     mus__phrase_number(&phrase, 0, lround(1e3 * underlap));
     mus__phrase_write(&phrase, "depth", depth, sizeof depth);
@@ -145,8 +145,8 @@ static void tell_plackets(mus__instructions *job)
             if (seam->family == i / 2) tell_underlap(job, seam, i % 2, allowance - other); /* left and right alike */
             continue;
         }
-        char words[MUS__WORDS], told[MUS__WORDS], depth[MUS__LENGTH];
-        mus__sewing_edge_words(job->pattern, seam->edge[i % 2], words);
+        char words[MUS__PLAIN], told[MUS__PLAIN], depth[MUS__LENGTH];
+        mus__plain_edge_words(job->pattern, seam->edge[i % 2], words);
         mus__list_add(job, job->pattern, seam->panel[i % 2]);
         if (i % 2 == 0 && seam->panel[0] != seam->panel[1]) continue;
         mus__phrase phrase = mus__phrase_in(job->language);
@@ -164,11 +164,11 @@ static void tell_patches(mus__instructions *job)
 {
     for (int32_t k = 0; k < mus_pattern_panel_count(job->extra); k++) {
         const char *mark = mus_pattern_panel_label(job->extra, k);
-        char words[MUS__WORDS], told[MUS__WORDS];
+        char words[MUS__PLAIN], told[MUS__PLAIN];
         if (!mus__tell_printed(job->extra, k)) continue;
         for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
             if (mark[0] != '\0' && mus__tell_has_mark(job->pattern, i, mark)) mus__list_add(job, job->pattern, i);
-        mus__sewing_words(mus_pattern_panel_name(job->extra, k), true, words);
+        mus__plain_words(mus_pattern_panel_name(job->extra, k), true, words);
         mus__phrase phrase = mus__phrase_in(job->language);
         mus__phrase_text(&phrase, 1, mus__tell_words(job, "panel", words, told));
         mus__list_step(job, &phrase, "step.patch");
@@ -259,7 +259,7 @@ static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, cons
     const double ease = group->length[longer] - group->length[shorter];
     const bool rib = mus__tell_copies(job->pattern, seam->panel[shorter], MUS_MATERIAL_RIB) > 0;
     const int32_t moved = rib ? shorter : longer;
-    char text[MUS__PHRASE], words[MUS__WORDS], told[MUS__WORDS], length[MUS__LENGTH];
+    char text[MUS__PHRASE], words[MUS__PLAIN], told[MUS__PLAIN], length[MUS__LENGTH];
     mus__phrase phrase = mus__phrase_in(job->language);
     mus__sink_print(&job->sink, "%s", mus__tell_length(job, group->length[1 - moved], length));
     if (group->notches > 0) {
@@ -268,7 +268,7 @@ static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, cons
     }
     if (ease <= group->count * seam->tolerance || lround(1e3 * ease) == 0) return;
     const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
-    mus__sewing_words(mus_pattern_panel_name(job->pattern, seam->panel[moved]), true, words);
+    mus__plain_words(mus_pattern_panel_name(job->pattern, seam->panel[moved]), true, words);
     mus__phrase_text(&phrase, 0, mus__tell_words(job, "panel", words, told));
     mus__phrase_text(&phrase, 1, mus__tell_length(job, group->length[moved], length));
     mus__sink_print(&job->sink, "%s", mus_language_text(job->language, "list.semicolon"));

@@ -9,7 +9,7 @@
 
 /* words that one sentence lists */
 typedef struct mus__words_list {
-    char (*words)[MUS__WORDS];
+    char (*words)[MUS__PLAIN];
     int32_t n;
 } mus__words_list;
 
@@ -18,7 +18,7 @@ typedef struct mus__instructions {
     const mus_pattern *extra; /* panels that are cut and not draped, or NULL */
     int32_t language;
     mus__sewing sewing;
-    char (*finishes)[MUS__WORDS]; /* (panels of `extra`) words of the edges that each finishes, "" for none */
+    char (*finishes)[MUS__PLAIN]; /* (panels of `extra`) words of the edges that each finishes, "" for none */
     bool *free;                   /* (edges) finished for itself: cut, in no seam, and of one layer */
     mus__words_list list;         /* room for a word of each panel and each panel of `extra` */
     mus__sink sink;
@@ -29,7 +29,7 @@ typedef struct mus__instructions {
 
 /* write a length [m] as centimetres with one decimal, by the language and not by the locale; returns `out` */
 const char *mus__tell_length(const mus__instructions *job, double length, char *out);
-/* write the English words of a "panel" or an "edge" as they are told; returns `out` (MUS__WORDS) */
+/* write the English words of a "panel" or an "edge" as they are told; returns `out` (MUS__PLAIN) */
 const char *mus__tell_words(const mus__instructions *job, const char *kind, const char *words, char *out);
 /* write a step: its number and the row of a key */
 void mus__tell_step(mus__instructions *job, const mus__phrase *phrase, const char *key);

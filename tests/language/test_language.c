@@ -157,14 +157,14 @@ static void check_name(const char *kind, const char *name, const char *design)
 /* names of panels and the words of edges of a pattern, and the captions of its marks */
 static void check_names(const mus_pattern *pattern, const char *design)
 {
-    char words[MUS__WORDS];
+    char words[MUS__PLAIN];
     for (int32_t i = 0; i < mus_pattern_panel_count(pattern); i++) {
         check_name("panel", mus_pattern_panel_name(pattern, i), design);
-        mus__sewing_words(mus_pattern_panel_name(pattern, i), true, words);
+        mus__plain_words(mus_pattern_panel_name(pattern, i), true, words);
         check_name("panel", words, design);
     }
     for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
-        mus__sewing_edge_words(pattern, i, words);
+        mus__plain_edge_words(pattern, i, words);
         check_name("edge", words, design);
     }
     for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {

@@ -167,7 +167,7 @@ static const char *const skirt_text =
     "Notions\n"
     "- a zip of 60.0 cm\n"
     "\n"
-    "Sewing, on the dashed lines, right sides together unless a step says otherwise\n"
+    "Sewing, on the lines of short dashes, right sides together unless a step says otherwise\n"
     "1. Fuse the interfacing to: band.\n"
     "2. Sew:\n"
     "   - skirt back to skirt front at the side, 60.0 cm, 1 notch\n"
@@ -336,20 +336,20 @@ START_TEST(names_are_words)
                                            {"F", "F", "F"},
                                            {"rightLeg2", "Leg2", "right Leg2"},
                                            {"\xc3\xa4rmel", "\xc3\xa4rmel", "\xc3\xa4rmel"}};
-    char out[MUS__WORDS], longest[4 * MUS__WORDS];
+    char out[MUS__PLAIN], longest[4 * MUS__PLAIN];
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        mus__sewing_words(names[i][0], true, out);
+        mus__plain_words(names[i][0], true, out);
         ck_assert_str_eq(out, names[i][1]);
-        mus__sewing_words(names[i][0], false, out);
+        mus__plain_words(names[i][0], false, out);
         ck_assert_str_eq(out, names[i][2]);
     }
     memset(longest, 'a', sizeof longest);
     longest[sizeof longest - 1] = '\0';
-    mus__sewing_words(longest, true, out);
-    ck_assert_uint_eq(strlen(out), MUS__WORDS - 2); /* cut: room for a space and the zero byte */
+    mus__plain_words(longest, true, out);
+    ck_assert_uint_eq(strlen(out), MUS__PLAIN - 2); /* cut: room for a space and the zero byte */
     memset(longest, '\xa4', sizeof longest - 1);
     for (size_t i = 0; i + 1 < sizeof longest; i += 2) longest[i] = '\xc3';
-    mus__sewing_words(longest, true, out);
+    mus__plain_words(longest, true, out);
     ck_assert_uint_eq(strlen(out) % 2, 0); /* letters of two bytes stay whole */
 }
 END_TEST

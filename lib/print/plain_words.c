@@ -1,11 +1,11 @@
 /*
- * sewing_words.c: names of panels and edges as the words that a sewer reads.
+ * plain_words.c: names of panels and edges as the words that a sewer reads.
  */
 #include <stdio.h>
 #include <string.h>
 
 #include "muslin/language.h"
-#include "sewing/sewing.h"
+#include "print/plain_words.h"
 
 
 static bool words_small(char c)
@@ -38,7 +38,7 @@ static size_t words_length(const char *name)
 }
 
 
-void mus__sewing_words(const char *name, bool sideless, char *out)
+void mus__plain_words(const char *name, bool sideless, char *out)
 {
     const char *full = name;
     size_t n = 0, k = 0;
@@ -51,7 +51,7 @@ void mus__sewing_words(const char *name, bool sideless, char *out)
         const char *word = letter && *name == 'F' ? "front" : letter && *name == 'B' ? "back" : name;
         if (k == 0 || (sideless && side)) continue;
         size_t size = word == name ? k : strlen(word);
-        const size_t room = n + 2 < MUS__WORDS ? MUS__WORDS - n - 2 : 0;
+        const size_t room = n + 2 < MUS__PLAIN ? MUS__PLAIN - n - 2 : 0;
         if (size > room) size = room;
         while (size > 0 && size < k && ((unsigned char)word[size] & 0xC0) == 0x80) size--; /* letters stay whole */
         if (size == 0) break;
@@ -62,28 +62,41 @@ void mus__sewing_words(const char *name, bool sideless, char *out)
     out[n] = '\0';
     if (n > 0) return;
     if (sideless)
-        mus__sewing_words(full, false, out); /* a name of nothing but a side */
+        mus__plain_words(full, false, out); /* a name of nothing but a side */
     else
-        snprintf(out, MUS__WORDS, "%s", full);
+        snprintf(out, MUS__PLAIN, "%s", full);
 }
 
 
-void mus__sewing_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
+/* write a name without sides and digits; "edge" when nothing is left */
+static void words_bare(const char *name, char *out)
 {
-    char words[MUS__WORDS];
+    char words[MUS__PLAIN];
     size_t n = 0;
-    const char *label = mus_pattern_edge_label(pattern, edge);
-    mus__sewing_words(label[0] != '\0' ? label : mus_pattern_edge_name(pattern, edge), true, words);
+    mus__plain_words(name, true, words);
     for (const char *c = words; *c != '\0'; c++)
         if (!words_digit(*c)) out[n++] = *c;
     while (n > 0 && out[n - 1] == ' ') n--;
     out[n] = '\0';
-    if (n == 0) snprintf(out, MUS__WORDS, "edge");
+    if (n == 0) snprintf(out, MUS__PLAIN, "edge");
 }
 
 
-void mus__sewing_words_in(int32_t language, const char *kind, const char *words, char *out)
+void mus__plain_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
 {
-    if (language == MUS_LANGUAGE_ENGLISH) snprintf(out, MUS__WORDS, "%s", words);
-    else mus_language_compose(language, kind, words, out, MUS__WORDS);
+    const char *label = mus_pattern_edge_label(pattern, edge);
+    words_bare(label[0] != '\0' ? label : mus_pattern_edge_name(pattern, edge), out);
+}
+
+
+void mus__plain_edge_name(const mus_pattern *pattern, int32_t edge, char *out)
+{
+    words_bare(mus_pattern_edge_name(pattern, edge), out);
+}
+
+
+void mus__plain_words_in(int32_t language, const char *kind, const char *words, char *out)
+{
+    if (language == MUS_LANGUAGE_ENGLISH) snprintf(out, MUS__PLAIN, "%s", words);
+    else mus_language_compose(language, kind, words, out, MUS__PLAIN);
 }

@@ -279,7 +279,7 @@ typedef struct mus_seam_walk {
     double length_a; /* [m] */
     double length_b;
     double excess; /* length of b less length of a less ease [m]; 0 when the seam is true */
-    int32_t notches_a;
+    int32_t notches_a; /* without those at an end, which stand for a joint of the edges that are sewn on there */
     int32_t notches_b;
     double notch_off;    /* greatest distance between the notches of a pair, ease spread evenly [m]; NaN: no pairs */
     double corner_start; /* angle of both panels together at the start of a [rad]; pi is a smooth line */

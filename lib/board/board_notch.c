@@ -5,8 +5,14 @@
  * side that is sewn there, at places that correspond by relative arc length, with one kind: single in front, double
  * behind, triple for the ends of a closure. A design puts a notch on one side, whichever knows the place;
  * mus__board_match_notches() gives it to the others once the garment is sewn.
+ *
+ * One notch has no partner: where a long edge is sewn to two edges that end there, as the cap of a sleeve at the
+ * shoulder, their joint is the partner. mus__board_notch_joints() puts it on the long edge alone, at the end of one of
+ * the two sides that are the edge. So a notch at the end of a side stands for the joint there, and for no place of the
+ * seam.
  */
 #include <math.h>
+#include <string.h>
 
 #include "board/board_notch.h"
 #include "board/board_seam.h"
@@ -14,6 +20,7 @@
 #define NOTCH_GAP 1e-6    /* [m] a notch this far beyond the end of its side is at the end: rounding of drawing */
 #define NOTCH_APART 0.012 /* [m] least distance of two notches on an outline; chosen: a triple notch is 8 mm wide, and
                              single ones 4 mm apart look like a double one */
+#define NOTCH_SMOOTH 0.9  /* least cosine between two sides of one long edge: 26 degrees; chosen: a cap is round */
 
 
 int32_t mus__board_notch_add(mus__board *board, int32_t side, double s, int32_t kind)
@@ -93,4 +100,62 @@ void mus__board_match_notches(mus__board *board)
             if (given[i].side != MUS_NONE && given[i].kind == kind)
                 mus__board_notch_seam(board, given[i].side, given[i].s, kind, NOTCH_APART);
     mus__free(board->context, given);
+}
+
+
+/* are two sides that follow each other one long edge: does the outline go on without a corner? */
+static bool joint_smooth(const mus__board *board, int32_t side)
+{
+    double from[2], to[2];
+    mus__board_at(board, side, board->side[side].length, NULL, from);
+    mus__board_at(board, board->side[side].next, 0.0, NULL, to);
+    const double dot = from[0] * to[0] + from[1] * to[1];
+    return dot >= NOTCH_SMOOTH * sqrt((from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]));
+}
+
+
+/* the side of another panel that a side is sewn to, once and for good; MUS_NONE without one */
+static int32_t joint_partner(const mus__board *board, int32_t side)
+{
+    const int32_t seam = mus__board_seam_of(board, side), partner = mus__board_partner(board, side);
+    if (seam == MUS_NONE || board->seam[seam].laid != 0 || board->seam[seam].closure != MUS_CLOSURE_NONE)
+        return MUS_NONE;
+    return board->side[partner].panel != board->side[side].panel ? partner : MUS_NONE;
+}
+
+
+/* does a long edge have a joint of two others at the end of `side`? These do not go on as one long edge */
+static bool joint_at(const mus__board *board, int32_t side)
+{
+    const int32_t p = joint_partner(board, side), q = joint_partner(board, board->side[side].next);
+    if (p == MUS_NONE || q == MUS_NONE || !joint_smooth(board, side)) return false;
+    const int32_t before = board->side[q].next == p ? q : board->side[p].next == q ? p : MUS_NONE;
+    return before == MUS_NONE || !joint_smooth(board, before);
+}
+
+
+/* do the names of two sides, without the ending of a mirror image, stand in this order? */
+static bool joint_in_order(const char *a, const char *b)
+{
+    char name[2][MUS__NAME_BYTES];
+    for (int32_t i = 0; i < 2; i++) {
+        memcpy(name[i], i == 0 ? a : b, MUS__NAME_BYTES);
+        const size_t n = strlen(name[i]);
+        if (n > 2 && strcmp(name[i] + n - 2, "_r") == 0) name[i][n - 2] = '\0';
+    }
+    return strcmp(name[0], name[1]) < 0;
+}
+
+
+void mus__board_notch_joints(mus__board *board)
+{
+    const int32_t nside = board->nside;
+    for (int32_t i = 0; i < nside && board->status == MUS_OK; i++) {
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || !joint_at(board, i) || notch_near(board, i, side->length, NOTCH_APART, 0))
+            continue;
+        /* on the side whose name comes first, so that mirror images are alike */
+        const bool own = joint_in_order(side->name, board->side[side->next].name);
+        mus__board_notch_add(board, own ? i : side->next, own ? side->length : 0.0, MUS_NOTCH_SINGLE);
+    }
 }

@@ -85,6 +85,7 @@ static void design_make(mus__half *half)
 
     /* once more for the notches of the closure; those of the half were matched before, so that both sides are alike */
     mus__board_match_notches(&half->board);
+    mus__board_notch_joints(&half->board);
 }
 
 

@@ -16,6 +16,7 @@
 
 #define TRUE_STEPS 100
 #define TRUE_ENOUGH 1e-12 /* [m] error of a trued length at which the iteration ends: rounding */
+#define WALK_END 1e-6 /* [m] a notch this near to the end of its side is at the end; above rounding */
 #define WALK_NOTCHES 64
 
 
@@ -37,13 +38,15 @@ static double walk_corner(const mus__board *board, int32_t side)
 }
 
 
-/* arc lengths of the notches on a side, ascending, from its end when `turned`. Returns their number, at most
- * WALK_NOTCHES */
+/* arc lengths of the notches on a side, ascending, from its end when `turned`, without those at an end, which stand for
+ * a joint of the sides that are sewn to it. Returns their number, at most WALK_NOTCHES */
 static int32_t walk_notches(const mus__board *board, int32_t side, bool turned, double *s)
 {
     int32_t n = 0;
     for (int32_t i = 0; i < board->nnotch && n < WALK_NOTCHES; i++) {
-        if (board->notch[i].side != side) continue;
+        if (board->notch[i].side != side || board->notch[i].s < WALK_END ||
+            board->notch[i].s > board->side[side].length - WALK_END)
+            continue;
         const double at = turned ? board->side[side].length - board->notch[i].s : board->notch[i].s;
         int32_t j = n++;
         for (; j > 0 && s[j - 1] > at; j--) s[j] = s[j - 1];

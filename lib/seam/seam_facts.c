@@ -19,6 +19,7 @@
 #define MIRROR_LENGTH 3e-3 /* relative difference of images; chosen: above the rounding of files, below an ease */
 #define MIRROR_ANGLE 0.05  /* [rad] the same of corners */
 #define MIRROR_NORMAL 0.1  /* the same of normals */
+#define FACTS_END 1e-4     /* [m] a notch this near to the end of its edge is at the end; above the rounding of files */
 
 typedef struct facts_work {
     const mus_pattern *pattern;
@@ -463,7 +464,8 @@ static mus_status read_edges(facts_work *w, int32_t *place, int32_t *rim, int32_
 }
 
 
-/* notches of each edge, ascending along the outline */
+/* notches of each edge, ascending along the outline. One at an end stands for a joint of the edges that are sewn to it,
+ * and is no place of the seam */
 static mus_status read_notches(facts_work *w)
 {
     mus__seam_facts *facts = w->facts;
@@ -478,7 +480,7 @@ static mus_status read_notches(facts_work *w)
             double s = 0.0;
             mus_status status = mus_pattern_notch(w->pattern, k, &own, &s, &kind);
             if (status != MUS_OK) return status;
-            if (own != edge->edge || at >= count) continue;
+            if (own != edge->edge || at >= count || s < FACTS_END || s > edge->length - FACTS_END) continue;
             int32_t n = 0;
             const int32_t *edges = NULL, *turns = NULL;
             status = mus_pattern_outline(w->pattern, edge->panel, &n, &edges, &turns);

@@ -24,6 +24,26 @@
                   (what), (value) / (unit), (double)(expected))
 
 
+/* is the notch at s of an edge at an end of it, and the same end of the edge that it is sewn to has none? Then it
+ * stands for the joint of two edges that are sewn to a long one */
+static inline bool drafts_joint(const mus_pattern *pattern, int32_t edge, double s)
+{
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    if (s > 1e-6 && s < mus_pattern_edge_length(pattern, edge) - 1e-6) return false;
+    ck_assert_int_eq(mus_pattern_seam(pattern, mus_pattern_edge_seam(pattern, edge), &seam), MUS_OK);
+    const int32_t partner = seam.edge_a == edge ? seam.edge_b : seam.edge_a;
+    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
+        int32_t own;
+        double at;
+        ck_assert_int_eq(mus_pattern_notch(pattern, i, &own, &at, NULL), MUS_OK);
+        const bool low = (s > 1e-6) == (seam.direction == MUS_SEAM_REVERSED);
+        if (own == partner && fabs(at - (low ? 0.0 : mus_pattern_edge_length(pattern, own))) < 1e-6) return false;
+    }
+    return true;
+}
+
+
 static inline mus_tape *drafts_tape(mus_context *context, const char *size)
 {
     mus_tape *tape;

@@ -121,6 +121,43 @@ START_TEST(each_allocation_that_fails_is_a_status_and_no_leak)
 END_TEST
 
 
+/* a band of 0.7 m in two sides without a corner is sewn to a front of 0.4 m and a back of 0.3 m: the joint of these has
+ * a notch on the band alone. It has none where the parts of the other edge go on as one, at a corner of the band, where
+ * a side closes, and beside another notch */
+START_TEST(a_joint_has_a_notch_on_the_long_edge_alone)
+{
+    mus_context *context = support_context();
+    for (int32_t k = 0; k < 5; k++) {
+        mus__board board;
+        mus__board_begin(&board, context, "joint");
+        const int32_t band = rectangle(&board, "band", 0.7), front = rectangle(&board, "front", k == 1 ? 0.7 : 0.4);
+        const int32_t back = k == 1 ? MUS_NONE : rectangle(&board, "back", 0.3);
+        if (k == 1) {
+            mus__board_split(&board, front, 0.4, "low_2");
+            mus__board_split(&board, band, 0.3, "low_2");
+            mus__board_seam_add(&board, board.side[band].next, front, MUS_SEAM_REVERSED, 0.0);
+            mus__board_seam_add(&board, band, board.side[front].next, MUS_SEAM_REVERSED, 0.0);
+        } else {
+            const int32_t parts[2] = {front, back}, corner = board.side[band].next;
+            mus__board_sew(&board, 1, &band, k == 2 ? 1 : 2, parts);
+            if (k == 2) mus__board_seam_add(&board, corner, back, MUS_SEAM_REVERSED, 0.0);
+        }
+        table_well(&board);
+        if (k == 3) board.seam[mus__board_seam_of(&board, back)].closure = MUS_CLOSURE_ZIP;
+        if (k == 4) mus__board_notch_seam(&board, back, 0.005, MUS_NOTCH_DOUBLE, 0.0);
+        const int32_t before = board.nnotch;
+        mus__board_notch_joints(&board);
+        table_well(&board);
+        ck_assert_int_eq(board.nnotch, before + (k == 0 ? 1 : 0));
+        if (k == 0) ck_assert_int_eq(board.side[board.notch[before].side].panel, board.side[band].panel);
+        if (k == 0) ck_assert_int_eq(count_at(&board, band, board.side[band].length, MUS_NOTCH_SINGLE), 1);
+        mus__board_free(&board);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_board_notch(void);
 
 
@@ -131,6 +168,7 @@ Suite *mus_suite_board_notch(void)
     tcase_add_test(tcase, a_notch_goes_to_every_sheet_of_the_seam);
     tcase_add_test(tcase, notches_are_matched_and_the_higher_kind_stays);
     tcase_add_test(tcase, each_allocation_that_fails_is_a_status_and_no_leak);
+    tcase_add_test(tcase, a_joint_has_a_notch_on_the_long_edge_alone);
     suite_add_tcase(suite, tcase);
     return suite;
 }

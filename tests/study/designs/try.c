@@ -17,6 +17,7 @@
 #define NOTCHES 64
 #define NOTCH_OFF 1e-6   /* [m] notches that meet are so far apart at most */
 #define NOTCH_NEAR 0.010 /* [m] two single notches nearer than this look like a double one, or a triple one */
+#define END 1e-6    /* part of an edge: a notch this near to its end is at the end */
 #define NOISE 1e-12 /* [m2]: 0.1 nm beside a chord of a centimetre */
 
 
@@ -51,8 +52,9 @@ void try_reason(const char *text, char *key, int size)
 
 /* ---- notches ---- */
 
-/* the notches of an edge in the order of their places: arc lengths (NOTCHES) from its start, or from its end when
- * `turned`, as parts of its length, and kinds (NOTCHES). Returns their number */
+/* the notches of an edge, without those at its ends, which stand for joints, in the order of their places: arc lengths
+ * (NOTCHES) from its start, or from its end when `turned`, as parts of its length, and kinds (NOTCHES). Returns their
+ * number */
 static int notches_of(const mus_pattern *pattern, int32_t edge, bool turned, double *t, int32_t *kind)
 {
     int n = 0;
@@ -61,6 +63,7 @@ static int notches_of(const mus_pattern *pattern, int32_t edge, bool turned, dou
         double s;
         if (mus_pattern_notch(pattern, i, &own, &s, &k) != MUS_OK || own != edge) continue;
         const double part = s / mus_pattern_edge_length(pattern, edge), at = turned ? 1.0 - part : part;
+        if (part < END || part > 1.0 - END) continue;
         int j = n++;
         for (; j > 0 && t[j - 1] > at; j--) t[j] = t[j - 1], kind[j] = kind[j - 1];
         t[j] = at, kind[j] = k;

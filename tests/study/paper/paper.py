@@ -13,7 +13,8 @@ the file, the content stream of the PDF) and shares nothing with the library. It
     pages    on A4, pages without a line of their own: one that no other page shows
     nest     three sizes on one sheet: each layer has the cut lines of that size's own sheet, in dashes of its own
     seam     both edges of a seam are as long as each other, but for the ease that the seam says
-    notch    both edges of a seam have notches alike in number, kind and place; the paper has them all
+    notch    both edges of a seam have notches alike in number, kind and place, but for one at an end, which stands for the
+             joint of two edges that are sewn to a long one; the paper has them all
     piece    every piece that sewing needs is there, by the words of the design: a table by closure, neck, pocket, waist
 
     python3 tests/study/paper/paper.py --command build/bin/muslin [--sizes W40,M50,C116] [--every 10] [--jobs 2] [--table]
@@ -602,7 +603,9 @@ def check_seams(pattern, lengths, note):
         ease = 1000.0 * seam.get("ease", 0.0)
         if not seam.get("laid"):
             note("seam", abs(lb - la - ease), f"{pattern['edges'][a].get('name')}")
-        one, two = sorted(at.get(a, [])), sorted(at.get(b, []))
+        # a notch at the end of an edge stands for the joint of the edges that are sewn on, and has no partner
+        one, two = (sorted((s, kind) for s, kind in at.get(e, []) if 0.01 < s < length(edge_points(pattern, e)) - 0.01)
+                    for e in (a, b))
         if seam.get("direction", "reversed") == "reversed":
             two = sorted((lb - s, kind) for s, kind in two)
         where = f"{pattern['edges'][a].get('name')}: {len(one)} and {len(two)} notches"
@@ -611,6 +614,51 @@ def check_seams(pattern, lengths, note):
         else:
             for (s, _), (t, _) in zip(one, two):
                 note("notch", max(0.0, abs(s - t) - abs(ease)), where)
+
+
+def goes_on(one, two):
+    """Do two lines, the second from the end of the first, meet without a corner: by less than 15 degrees?"""
+    u = (one[-1][0] - one[-2][0], one[-1][1] - one[-2][1])
+    v = (two[1][0] - two[0][0], two[1][1] - two[0][1])
+    return u[0] * v[0] + u[1] * v[1] > 0.966 * math.hypot(*u) * math.hypot(*v)
+
+
+def check_joints(pattern, note):
+    """A long edge that is sewn to two edges of other panels, which do not go on as one, has a notch at their joint, or one
+    within 12 mm of it."""
+    seams, rims = seams_of(pattern), [rim(panel["outline"]) for panel in pattern["panels"]]
+    lines = {e: edge_points(pattern, e) for word in rims for e, _ in word}
+    follows = {frozenset((w[k][0], w[(k + 1) % len(w)][0])): (w, k) for w in rims for k in range(len(w))}
+    panel_of = {e: i for i, word in enumerate(rims) for e, _ in word}
+
+    def drawn(step):
+        return lines[step[0]] if step[1] > 0 else lines[step[0]][::-1]
+
+    def sewn(edge):
+        own = seams.get(edge, [])
+        if len(own) != 1 or own[0].get("laid") or own[0].get("closure"):
+            return None
+        other = own[0]["a"] + own[0]["b"] - edge
+        return other if panel_of.get(other) != panel_of[edge] else None
+
+    for word in rims:
+        for k, step in enumerate(word):
+            after = word[(k + 1) % len(word)]
+            p, q = sewn(step[0]), sewn(after[0])
+            if p is None or q is None or not goes_on(drawn(step), drawn(after)):
+                continue
+            beside = follows.get(frozenset((p, q)))
+            if beside and goes_on(drawn(beside[0][beside[1]]), drawn(beside[0][(beside[1] + 1) % len(beside[0])])):
+                continue
+            # places of the notches on the outline, from the joint on
+            own, run = [], 0.0
+            for edge, way in word[k + 1:] + word[:k + 1]:
+                long = length(lines[edge])
+                own += [run + (1000.0 * n["s"] if way > 0 else long - 1000.0 * n["s"])
+                        for n in pattern.get("notches", []) if n["edge"] == edge]
+                run += long
+            if not any(s < 13.0 or s > run - 13.0 for s in own):
+                note("notch", 99.0, f"{pattern['edges'][step[0]].get('name')}: no notch at the joint of two edges")
 
 
 def printed(command, file, folder, paper, *options):
@@ -716,6 +764,8 @@ def needed(axes):
         need.append(("yoke: two layers", "back_yoke", {"main": 2}))
     if upper and at("closure") == "front":
         need.append(("closure: buttons in front", "button_stand", {"interfacing": 2}))
+        need += [(f"closure: buttons in front, {word}", f"mark {mark}", {"mark": 1})
+                 for word, mark in (("their buttonholes", "buttonhole"), ("where the interfacing lies", "interfacing"))]
     if at("pocket") == "patch":
         need.append(("pocket: patch", "pocket(_left)?", {"main": 1}))
     if at("pocket") in ("welt", "flap"):
@@ -869,6 +919,7 @@ def check_design(job):
         if check not in worst or value > worst[check][0]:
             worst[check] = (value, where)
     check_seams(pattern, lengths, note_seam)
+    check_joints(pattern, note_seam)
     check_halves(pieces, half, note_seam)
     note_seam("pages", float(lone))
     return design, size, worst, count

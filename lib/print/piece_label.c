@@ -170,6 +170,9 @@ static void label_allowance(const mus_sheet *sheet, const mus_pattern *pattern, 
         const double width = line->height * (mus__lettering_width(sheet->lettering, line->text, false) +
                                              mus__lettering_width(sheet->lettering, text, false));
         if (width > LABEL_WIDE && block->n < lines + LABEL_ALLOWANCES) {
+            /* the mark between the items ends the line, without its blank */
+            const int mark = (int)strlen(semicolon) - (semicolon[strlen(semicolon) - 1] == ' ');
+            snprintf(line->text + at, LABEL_BYTES - at, "%.*s", mark, semicolon);
             line = label_add(block, line->height, false);
             snprintf(line->text, LABEL_BYTES, "%s", text);
         } else {

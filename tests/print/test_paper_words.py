@@ -31,7 +31,7 @@ def told(tmp_path_factory):
 def test_allowances_are_told_with_their_edges(told):
     """A front that buttons has four; a strip has one, without a word; legs of darts are not cut and not told."""
     shirt = told("shirt", "M50", "--paper", "roll")
-    assert "Seam allowance included: centre 45 mm hem 25 mm; neck 7 mm; other edges 10 mm" in shirt
+    assert "Seam allowance included: centre 45 mm; hem 25 mm; neck 7 mm; other edges 10 mm" in shirt
     assert "Seam allowance included: 10 mm" in shirt
     assert "no allowance: inner" in told("coat", "M50", "--paper", "roll")
     skirt = told("skirt", "W40", "--paper", "roll")
@@ -40,7 +40,7 @@ def test_allowances_are_told_with_their_edges(told):
 
 def test_edges_of_one_label_and_two_allowances_are_told_by_their_names(told):
     """The free edges of a collar's stand are all the neck of the garment; its ends lap."""
-    assert re.search("end 24.5 mm bottom, top 7 mm|bottom, top 7 mm; end 24.5 mm", told("shirt", "M50", "--paper", "roll"))
+    assert re.search("end 24.5 mm; bottom, top 7 mm|bottom, top 7 mm; end 24.5 mm", told("shirt", "M50", "--paper", "roll"))
 
 
 def test_the_legend_tells_the_lines_of_the_page(told):

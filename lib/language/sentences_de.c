@@ -145,6 +145,7 @@ static const mus__language_row sentences_de[] = {
     {"step.part", "Fertig arbeiten und annähen: {0}."},
     {"step.patch", "Obere Kante säumen ({1}), die übrigen Kanten einschlagen und an der Linie aufsteppen auf: {0}."},
     {"step.placket", "{1} nach innen umschlagen und feststeppen ({2}): {0}."},
+    {"step.placket_line", "{1} entlang der Linie „{3}“ nach innen umschlagen und feststeppen ({2}): {0}."},
     {"step.pleats", "Falten entlang der Linien legen und in der Nahtzugabe fixieren: {0}."},
     {"step.sew", "Nähen:"},
     {"step.sew_in_one", "In einem Zug nähen:"},

@@ -144,6 +144,7 @@ static const mus__language_row sentences_en[] = {
     {"step.part", "Make up and sew on: {0}."},
     {"step.patch", "Hem the upper edge of the {1}, turn the others in, and stitch it along its line on: {0}."},
     {"step.placket", "Fold {1} at the {2} to the wrong side and stitch: {0}."},
+    {"step.placket_line", "Fold {1} at the {2} to the wrong side, along the line \"{3}\", and stitch: {0}."},
     {"step.pleats", "Fold the pleats along their lines and hold them within the allowance: {0}."},
     {"step.sew", "Sew:"},
     {"step.sew_in_one", "Sew, in one go:"},

@@ -149,6 +149,7 @@ static const mus__language_row sentences_es[] = {
     {"step.patch",
      "Hacer el dobladillo del borde superior ({1}), doblar los demás bordes y pespuntear sobre su línea en: {0}."},
     {"step.placket", "Doblar {1} hacia el revés y pespuntear ({2}): {0}."},
+    {"step.placket_line", "Doblar {1} hacia el revés por la línea «{3}» y pespuntear ({2}): {0}."},
     {"step.pleats", "Formar los pliegues por sus líneas y sujetarlos dentro del margen de costura: {0}."},
     {"step.sew", "Coser:"},
     {"step.sew_in_one", "Coser, de una sola vez:"},

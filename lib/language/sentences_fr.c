@@ -153,6 +153,7 @@ static const mus__language_row sentences_fr[] = {
     {"step.part", "Préparer et coudre : {0}."},
     {"step.patch", "Ourler le bord supérieur ({1}), replier les autres bords et piquer le long du repère sur : {0}."},
     {"step.placket", "Replier {1} sur l’envers et piquer ({2}) : {0}."},
+    {"step.placket_line", "Replier {1} sur l’envers le long de la ligne « {3} » et piquer ({2}) : {0}."},
     {"step.pleats", "Former les plis le long des lignes et les maintenir dans la marge de couture : {0}."},
     {"step.sew", "Assembler :"},
     {"step.sew_in_one", "Assembler, en une seule fois :"},

@@ -131,6 +131,7 @@ static const mus__language_row sentences_ja[] = {
     {"step.part", "仕立てて縫い付ける：{0}。"},
     {"step.patch", "{1}の口を三つ折りに縫い、ほかの縁を折り込み、印の線に合わせて縫い付ける：{0}。"},
     {"step.placket", "{2}を裏側に{1}折り、ステッチをかける：{0}。"},
+    {"step.placket_line", "{2}を「{3}」の線で裏側に{1}折り、ステッチをかける：{0}。"},
     {"step.pleats", "線に沿ってプリーツをたたみ、縫い代の中でとめる：{0}。"},
     {"step.sew", "縫う："},
     {"step.sew_in_one", "続けて縫う："},

@@ -150,6 +150,7 @@ static const mus__language_row sentences_pt[] = {
     {"step.part", "Preparar e costurar: {0}."},
     {"step.patch", "Fazer a bainha da borda superior ({1}), virar as outras bordas e pespontar na marcação em: {0}."},
     {"step.placket", "Virar {1} para o avesso e pespontar ({2}): {0}."},
+    {"step.placket_line", "Virar {1} para o avesso pela linha “{3}” e pespontar ({2}): {0}."},
     {"step.pleats", "Formar as pregas pelas linhas e prender dentro da margem de costura: {0}."},
     {"step.sew", "Costurar:"},
     {"step.sew_in_one", "Costurar, de uma só vez:"},

@@ -133,6 +133,28 @@ static void tell_underlap(mus__instructions *job, const mus__sewn *seam, int32_t
 }
 
 
+/* how far the line "fold" of an edge's panel lies beyond the edge [m]: within its allowance, and beside its middle; 0
+ * without one */
+static double placket_line(const mus_pattern *pattern, int32_t edge, double allowance)
+{
+    const double t[3] = {0.0, 0.5, 1.0};
+    double xy[6];
+    if (mus_pattern_edge_at(pattern, edge, 3, t, xy) != MUS_OK) return 0.0;
+    const double dx = xy[4] - xy[0], dy = xy[5] - xy[1], length = sqrt(dx * dx + dy * dy);
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && length > 0.0; i++) {
+        int32_t panel, n;
+        const char *name;
+        const double *line;
+        if (mus_pattern_mark(pattern, i, &panel, &name, &n, &line) != MUS_OK || n != 2) continue;
+        if (panel != mus_pattern_edge_panel(pattern, edge) || strcmp(name, "fold") != 0) continue;
+        const double x = 0.5 * (line[0] + line[2]) - xy[2], y = 0.5 * (line[1] + line[3]) - xy[3];
+        const double away = fabs(x * dy - y * dx) / length, along = fabs(x * dx + y * dy) / length;
+        if (away > 0.0 && away < allowance && along < 0.5 * length) return away;
+    }
+    return 0.0;
+}
+
+
 /* fold what the allowance of a closure with buttons is to the wrong side: both sides of a seam in one step */
 static void tell_plackets(mus__instructions *job)
 {
@@ -149,12 +171,17 @@ static void tell_plackets(mus__instructions *job)
         mus__plain_edge_words(job->pattern, seam->edge[i % 2], words);
         mus__list_add(job, job->pattern, seam->panel[i % 2]);
         if (i % 2 == 0 && seam->panel[0] != seam->panel[1]) continue;
+        const double line = placket_line(job->pattern, seam->edge[i % 2], allowance);
+        const char *fold = mus_language_text(job->language, "mark.fold");
+        char number[24];
+        mus__print_millimetres(number, sizeof number, allowance - line);
         mus__phrase phrase = mus__phrase_in(job->language);
-        mus__phrase_number(&phrase, 0, lround(1e3 * allowance));
+        mus__phrase_text(&phrase, 0, number);
         mus__phrase_write(&phrase, "depth", depth, sizeof depth);
         mus__phrase_text(&phrase, 1, depth);
         mus__phrase_text(&phrase, 2, mus__tell_words(job, "edge", words, told));
-        mus__list_step(job, &phrase, "step.placket");
+        mus__phrase_text(&phrase, 3, fold);
+        mus__list_step(job, &phrase, line > 0.0 ? "step.placket_line" : "step.placket");
     }
 }
 

@@ -16,7 +16,7 @@
 
 #define TRUE_STEPS 100
 #define TRUE_ENOUGH 1e-12 /* [m] error of a trued length at which the iteration ends: rounding */
-#define WALK_END 1e-6 /* [m] a notch this near to the end of its side is at the end; above rounding */
+#define WALK_END 1e-6     /* [m] a notch this near to the end of its side is at the end; above rounding */
 #define WALK_NOTCHES 64
 
 

@@ -110,8 +110,8 @@ static double facing_allowance(const facing *f, int32_t edge)
     mus_seam_def seam;
     mus_seam_def_init(&seam, sizeof seam);
     const int32_t of = mus_pattern_edge_seam(f->pattern, edge);
-    const bool buttons = of != MUS_NONE && mus_pattern_seam(f->pattern, of, &seam) == MUS_OK &&
-                         seam.closure == MUS_CLOSURE_BUTTONS;
+    const bool buttons =
+        of != MUS_NONE && mus_pattern_seam(f->pattern, of, &seam) == MUS_OK && seam.closure == MUS_CLOSURE_BUTTONS;
     return buttons && own > MUS__SEAM_ALLOWANCE ? MUS__SEAM_ALLOWANCE : own;
 }
 

@@ -115,8 +115,10 @@ void mus__cut_end_laps(const mus__cut_ring *in, mus__cut_ring *out)
             for (int32_t k = lap_at(in, i - 1); k != end->side; k = lap_at(in, k - 1)) taken[k] = true;
     }
     for (int32_t i = 0; i < in->n && out->status == MUS_OK; i++) {
-        if (ends[i].step != 0) lap_write(in, &ends[i], out);
-        else if (!taken[i]) mus__cut_add(out, &in->list[i]);
+        if (ends[i].step != 0)
+            lap_write(in, &ends[i], out);
+        else if (!taken[i])
+            mus__cut_add(out, &in->list[i]);
     }
     mus__free(in->context, ends);
     mus__free(in->context, taken);

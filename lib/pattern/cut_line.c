@@ -178,8 +178,7 @@ static void ring_edge(const rim_read *read, int32_t i, mus__cut_ring *ring)
     const double own = edge->attr.allowance;
     const bool hem = strstr(edge->attr.label, "hem") != NULL || strstr(edge->name, "hem") != NULL;
     const bool laps = edge->nseam == 1 && read->pattern->seam[edge->seam].closure == MUS_CLOSURE_BUTTONS;
-    mus__cut_corner corner = {
-        .width = own >= 0.0 ? own : read->allowance, .dart = MUS_NONE, .hem = hem, .laps = laps};
+    mus__cut_corner corner = {.width = own >= 0.0 ? own : read->allowance, .dart = MUS_NONE, .hem = hem, .laps = laps};
     const double *p = read->turn[i] > 0 ? edge->xy : edge->xy + 2 * (edge->nxy - 1);
     for (int32_t k = 0; k < edge->npiece; k++) {
         const int32_t piece = read->turn[i] > 0 ? k : edge->npiece - 1 - k, kind = edge->kinds[piece];

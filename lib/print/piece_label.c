@@ -17,10 +17,10 @@
 
 #define LABEL_ALLOWANCES 5 /* most lines about allowances; chosen: all edges of the richest draft have room */
 #define LABEL_LINES (7 + LABEL_ALLOWANCES) /* most lines of a label: as many as label_fill adds */
-#define LABEL_WIDTHS 8   /* most allowances of a piece that are told apart; chosen: twice those of the richest draft */
-#define LABEL_SAME 5e-5  /* [m] allowances this near are one: half of what a label tells */
-#define LABEL_NAMED 3    /* edges from which on one allowance is that of the "other edges"; chosen: lines stay short */
-#define LABEL_WIDE 0.11  /* [m] from which on allowances go on in a new line; chosen: as wide as a long name */
+#define LABEL_WIDTHS 8  /* most allowances of a piece that are told apart; chosen: twice those of the richest draft */
+#define LABEL_SAME 5e-5 /* [m] allowances this near are one: half of what a label tells */
+#define LABEL_NAMED 3   /* edges from which on one allowance is that of the "other edges"; chosen: lines stay short */
+#define LABEL_WIDE 0.11 /* [m] from which on allowances go on in a new line; chosen: as wide as a long name */
 #define LABEL_BYTES 256  /* [bytes] of a line of a label with its zero byte; longer ones are cut; chosen */
 #define LABEL_PITCH 1.75 /* height of a line over that of its capitals; chosen: letters with tails keep clear */
 #define LABEL_LATTICE 24 /* points tried in each direction; chosen: more cost time and gain little */

@@ -97,6 +97,8 @@ void mus__plain_edge_name(const mus_pattern *pattern, int32_t edge, char *out)
 
 void mus__plain_words_in(int32_t language, const char *kind, const char *words, char *out)
 {
-    if (language == MUS_LANGUAGE_ENGLISH) snprintf(out, MUS__PLAIN, "%s", words);
-    else mus_language_compose(language, kind, words, out, MUS__PLAIN);
+    if (language == MUS_LANGUAGE_ENGLISH)
+        snprintf(out, MUS__PLAIN, "%s", words);
+    else
+        mus_language_compose(language, kind, words, out, MUS__PLAIN);
 }

@@ -17,7 +17,7 @@
 #define NOTCHES 64
 #define NOTCH_OFF 1e-6   /* [m] notches that meet are so far apart at most */
 #define NOTCH_NEAR 0.010 /* [m] two single notches nearer than this look like a double one, or a triple one */
-#define END 1e-6    /* part of an edge: a notch this near to its end is at the end */
+#define END 1e-6         /* part of an edge: a notch this near to its end is at the end */
 #define NOISE 1e-12 /* [m2]: 0.1 nm beside a chord of a centimetre */
 
 

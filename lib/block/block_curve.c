@@ -206,6 +206,17 @@ void mus__chain_cut(const mus__chain *chain, double s, mus__chain *out)
 }
 
 
+void mus__chain_move(mus__chain *chain, const double *map)
+{
+    for (int32_t i = 0; i < chain->nxy; i++) {
+        double *p = chain->xy + 2 * i;
+        const double x = p[0], y = p[1];
+        p[0] = map[0] * x + map[1] * y + map[2];
+        p[1] = map[3] * x + map[4] * y + map[5];
+    }
+}
+
+
 void mus__chain_shift(mus__chain *chain, double dx)
 {
     for (int32_t i = 0; i < chain->nxy; i++) chain->xy[2 * i] += dx;

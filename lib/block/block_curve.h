@@ -51,5 +51,7 @@ double mus__chain_length(const mus__chain *chain);
 void mus__chain_shift(mus__chain *chain, double dx);
 /* Writes the first `s` [m] of a chain to `out`. */
 void mus__chain_cut(const mus__chain *chain, double s, mus__chain *out);
+/* Moves every point: (x, y) goes to (m0 x + m1 y + m2, m3 x + m4 y + m5), map (6). */
+void mus__chain_move(mus__chain *chain, const double *map);
 
 #endif

@@ -7,6 +7,11 @@
  *            \      |           cut above the hem is cut at a level of the front and at the same arc lengths of the
  *      knee   |    |            back. Formulas: man page mus_design(3). Method: FreeSewing 4 (titan).
  *       hem   |____|
+ *
+ * A yoke (Aldrich, Metric Pattern Cutting for Women's Wear, 2008: jeans) is the back above a line from the centre to
+ * the outseam, on which its darts end. They are closed, and the yoke's lower edge is drawn as one curve; the darts end
+ * as far above the line, or below it, as makes the curve as long as the line. Then the front has no dart: its centre
+ * and its side take the waist in.
  */
 #include <math.h>
 #include <string.h>
@@ -18,6 +23,11 @@
 
 #define BACK_TILT 0.19438030913771848 /* tan 11 degrees: of the centre back line */
 #define KNEE_PART 0.44                /* knee below the crotch line as a part of the inleg */
+#define YOKE_CENTRE (7.0 * MUS__CM)   /* [m] height of a yoke at the centre, as the trade's jeans have; chosen */
+#define YOKE_SIDE (4.0 * MUS__CM)     /* [m] and at the side */
+#define YOKE_PART 0.45 /* of the height from hip line to top edge that a yoke takes at most; chosen: pockets go below */
+#define YOKE_LEAST (0.3 * MUS__CM)    /* [m] dart that is closed into a yoke at least; chosen: less is lost in sewing */
+#define YOKE_FRONT_CENTRE (1.2 * MUS__CM) /* [m] the centre front of jeans comes in at the waist, at most; chosen */
 
 typedef struct leg_problem {
     double fork[2], knee[2], hem[2]; /* inseam: fork (x), knee, hem */
@@ -79,13 +89,13 @@ static double leg_outseam_excess(const void *data, double y)
 
 
 /* splits t into the part of the side, at most `part` of it and `most`, and that of the darts, if they are 0.8 cm wide
- * or more */
-static double leg_side_in(bool darts, double t, double part, double most, mus__trousers_half *half)
+ * or more; those of a yoke may be narrower */
+static double leg_side_in(const mus__trousers_def *def, double t, double part, double most, mus__trousers_half *half)
 {
     half->dart_width = 0.0;
-    if (!darts || t < 1.5 * MUS__CM) return t;
+    if (!def->darts || t < (def->yoke ? YOKE_LEAST : 1.5 * MUS__CM)) return t;
     const double side = fmin(part * t, most);
-    if (t - side < 0.8 * MUS__CM) return t;
+    if (t - side < (def->yoke ? YOKE_LEAST : 0.8 * MUS__CM)) return t;
     half->dart_width = t - side;
     return side;
 }
@@ -96,7 +106,7 @@ static double leg_side_in(bool darts, double t, double part, double most, mus__t
 typedef struct leg_darts {
     const mus__trousers_half *half;
     int32_t n;
-    double at[MUS__DARTS], length, net;
+    double at[MUS__DARTS], length[MUS__DARTS], net;
 } leg_darts;
 
 
@@ -114,7 +124,7 @@ static double leg_waist(const leg_darts *darts, double width, mus__waist *waist)
         double *dart = waist->dart[d];
         const double at = darts->at[d];
         dart[0] = centre[0] + x * (at - w), dart[1] = centre[1] + y * (at - w);
-        dart[2] = centre[0] + x * at + y * darts->length, dart[3] = centre[1] + y * at - x * darts->length;
+        dart[2] = centre[0] + x * at + y * darts->length[d], dart[3] = centre[1] + y * at - x * darts->length[d];
         dart[4] = centre[0] + x * (at + w), dart[5] = centre[1] + y * (at + w);
     }
     return mus__waist_true(waist);
@@ -129,17 +139,27 @@ static double leg_waist_excess(const void *data, double width)
 }
 
 
+/* the trued waist whose darts are as wide as its exact length asks for */
+static bool leg_dart_close(const mus__trousers_half *half, const leg_darts *darts, mus__waist *waist)
+{
+    const double most = half->dart_width, each = most / darts->n, chord = mus__dist2(half->centre, half->side);
+    double width;
+    if (darts->at[0] - 0.5 * each < 0.0 || darts->at[darts->n - 1] + 0.5 * each > chord) return false;
+    for (int32_t d = 0; d < darts->n; d++)
+        if (darts->length[d] < each) return false;
+    if (!mus__solve(leg_waist_excess, darts, 0.5 * most, most, &width)) return false;
+    leg_waist(darts, width, waist);
+    return true;
+}
+
+
 /* draws the darts and the waist with its exact length: truing shortens the line, so the darts become narrower than
  * half->dart_width. A dart that would be wider than long, or beyond the waist, is an error */
 static bool leg_dart(mus__trousers_half *half, const leg_darts *darts)
 {
-    const double most = half->dart_width, each = most / darts->n, chord = mus__dist2(half->centre, half->side);
     mus__waist waist;
-    double width;
-    if (darts->length < each || darts->at[0] - 0.5 * each < 0.0 || darts->at[darts->n - 1] + 0.5 * each > chord)
-        return false;
-    if (!mus__solve(leg_waist_excess, darts, 0.5 * most, most, &width)) return false;
-    half->waist_length = leg_waist(darts, width, &waist);
+    if (!leg_dart_close(half, darts, &waist)) return false;
+    half->waist_length = darts->net;
     half->ndart = darts->n;
     memcpy(half->dart, waist.dart, sizeof half->dart);
     memcpy(half->waist, waist.part, sizeof half->waist);
@@ -161,7 +181,8 @@ static void leg_points(const mus__trousers_def *def, int32_t back, double crotch
 }
 
 
-/* front: hip (S + e)/4 - 1, centre .6 in at the waist, side .4 up, one dart */
+/* front: hip (S + e)/4 - 1, centre .6 in at the waist, side .4 up, one dart; none with a yoke, but up to 1.2 in at the
+ * centre */
 static mus_status leg_front(mus_context *context, const mus__trousers_def *def, mus__trousers *out, double hip)
 {
     mus__trousers_half *half = &out->front;
@@ -171,13 +192,18 @@ static mus_status leg_front(mus_context *context, const mus__trousers_def *def, 
 
     /* waist */
     const double net = def->net[0];
-    const double x0 = 0.6 * MUS__CM * (def->top - out->hip) / (0.0 - out->hip), high = def->top - out->hip;
-    leg_side_in(def->darts, half->hip - x0 - net, 0.5, 3.5 * MUS__CM, half);
+    const double high = def->top - out->hip;
+    double x0 = 0.6 * MUS__CM * high / (0.0 - out->hip);
+    leg_side_in(def, half->hip - x0 - net, 0.5, 3.5 * MUS__CM, half);
+    if (def->yoke) {
+        x0 = fmax(x0, fmin(0.3 * (half->hip - net), YOKE_FRONT_CENTRE));
+        half->dart_width = 0.0;
+    }
     half->centre[0] = x0, half->centre[1] = def->top;
     half->centre[2] = 0.0, half->centre[3] = out->hip;
     half->side[0] = x0 + net + half->dart_width, half->side[1] = def->top + 0.4 * MUS__CM;
     const leg_darts darts = {half, 1, {0.55 * (net + half->dart_width)},
-                             fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM, net};
+                             {fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM}, net};
     if (!(half->dart_width > 0.0) || !leg_dart(half, &darts)) {
         half->dart_width = 0.0;
         half->side[0] = x0 + net;
@@ -220,6 +246,97 @@ static mus_status leg_back_side(mus_context *context, leg_problem *problem, mus_
 }
 
 
+/* ---- yoke ---- */
+
+/* a yoke under work: its seam on the leg, and its darts, which would end on that seam */
+typedef struct leg_yoke_plan {
+    const mus__trousers_half *half;
+    leg_darts darts;
+} leg_yoke_plan;
+
+
+/* the yoke with its darts open: its seam on the leg is the line from the centre to the outseam */
+static void leg_yoke_begin(const leg_problem *problem, double high, mus__trousers_half *half)
+{
+    mus__trousers_yoke *yoke = &half->yoke;
+    const double part = fmin(YOKE_CENTRE, YOKE_PART * high) / mus__dist2(half->centre, half->centre + 2);
+    mus__chain outseam;
+    leg_outseam(problem, half->side, &outseam);
+    mus__chain_cut(&outseam, YOKE_SIDE / YOKE_CENTRE * fmin(YOKE_CENTRE, YOKE_PART * high), &yoke->side);
+    yoke->cut = true;
+    for (int i = 0; i < 2; i++) {
+        yoke->centre[i] = half->centre[i];
+        yoke->centre[2 + i] = yoke->top[i] = half->centre[i] + part * (half->centre[2 + i] - half->centre[i]);
+        yoke->top[2 + i] = yoke->side.xy[2 * (yoke->side.nxy - 1) + i];
+    }
+}
+
+
+/* closes the darts, shortened to `part`, in `yoke`, and draws its seam with the tangents that the line has at both
+ * ends, handles of a third of the chord. Returns the length of the seam less that on the leg, NAN where the darts do
+ * not close */
+static double leg_yoke_close(const leg_yoke_plan *plan, double part, mus__trousers_yoke *yoke)
+{
+    leg_darts darts = plan->darts;
+    mus__waist waist;
+    *yoke = plan->half->yoke;
+    for (int32_t d = 0; d < darts.n; d++) darts.length[d] *= part;
+    if (!leg_dart_close(plan->half, &darts, &waist)) return NAN;
+    memcpy(yoke->waist, waist.closed, sizeof yoke->waist);
+    mus__chain_move(&yoke->side, waist.close);
+    const double *p = yoke->top, *q = yoke->side.xy + 2 * (yoke->side.nxy - 1), *m = waist.close;
+    const double length = mus__dist2(yoke->top, yoke->top + 2), reach = mus__dist2(p, q) / 3.0;
+    const double x = (p[2] - p[0]) / length, y = (p[3] - p[1]) / length;
+    mus__cubic_set(yoke->seam, p, p[0] + reach * x, p[1] + reach * y, q[0] - reach * (m[0] * x + m[1] * y),
+                   q[1] - reach * (m[3] * x + m[4] * y), q);
+    return mus__cubic_length(yoke->seam) - length;
+}
+
+
+static double leg_yoke_excess(const void *data, double part)
+{
+    mus__trousers_yoke yoke;
+    return leg_yoke_close(data, part, &yoke);
+}
+
+
+/* draws the yoke with two darts closed; false where they do not close */
+static bool leg_yoke(const leg_problem *problem, double net, double high, mus__trousers_half *half)
+{
+    const double d = half->dart_width, chord = mus__dist2(half->centre, half->side);
+    leg_yoke_plan plan = {half, {half, 2, {net / 3.0 + 0.25 * d, net / 1.5 + 0.75 * d}, {0.0, 0.0}, net}};
+    leg_yoke_begin(problem, high, half);
+
+    /* from the waist, along the dart, to the seam */
+    const double *a = half->centre, *p = half->yoke.top;
+    const double x = (half->side[0] - a[0]) / chord, y = (half->side[1] - a[1]) / chord;
+    const double run = x * (p[2] - p[0]) + y * (p[3] - p[1]), fall = y * (p[2] - p[0]) - x * (p[3] - p[1]);
+    for (int32_t i = 0; i < 2; i++)
+        plan.darts.length[i] = y * (p[0] - a[0]) - x * (p[1] - a[1]) +
+                               fall / run * (plan.darts.at[i] - x * (p[0] - a[0]) - y * (p[1] - a[1]));
+    double part;
+    if (!mus__solve(leg_yoke_excess, &plan, 0.7, 1.2, &part)) return false;
+    mus__trousers_yoke yoke;
+    leg_yoke_close(&plan, part, &yoke);
+    half->yoke = yoke;
+    half->waist_length = net;
+    return true;
+}
+
+
+/* the yoke of a back without darts */
+static void leg_yoke_plain(const leg_problem *problem, double high, mus__trousers_half *half)
+{
+    leg_yoke_begin(problem, high, half);
+    const double *lines[2] = {half->centre, half->yoke.top}, *ends[2] = {half->side, half->yoke.top + 2};
+    double *const out[2] = {half->yoke.waist, half->yoke.seam};
+    for (int i = 0; i < 2; i++) {
+        const double *a = lines[i], *b = ends[i], x = (b[0] - a[0]) / 3.0, y = (b[1] - a[1]) / 3.0;
+        mus__cubic_set(out[i], a, a[0] + x, a[1] + y, b[0] - x, b[1] - y, b);
+    }
+}
+
+
 /* back: hip (S + e)/4 + 1, centre line tilted by 11 degrees and S/40 higher, up to two darts */
 static mus_status leg_back(mus_context *context, const mus__trousers_def *def, mus__trousers *out, double hip)
 {
@@ -246,18 +363,21 @@ static mus_status leg_back(mus_context *context, const mus__trousers_def *def, m
 
     /* waist and outseam as long as the front's */
     const double net = def->net[1];
-    leg_side_in(def->darts, half->hip - half->centre[0] - net, 0.35, 3.0 * MUS__CM, half);
+    leg_side_in(def, half->hip - half->centre[0] - net, 0.35, 3.0 * MUS__CM, half);
     problem.hip[0] = half->hip, problem.hip[1] = out->hip;
     problem.target = mus__chain_length(&out->front.outseam);
     mus_status status = leg_back_side(context, &problem, half, net + half->dart_width, def->top);
-    const double d = half->dart_width;
+    const double d = half->dart_width, high = def->top - out->hip, length = fmin(0.62 * high, 13.0 * MUS__CM);
     const bool one = d <= 3.2 * MUS__CM;
     const leg_darts darts = {half, one ? 1 : 2, {one ? 0.5 * net + 0.5 * d : 0.32 * net + 0.25 * d,
-                             0.64 * net + 0.75 * d}, fmin(0.62 * (def->top - out->hip), 13.0 * MUS__CM), net};
-    if (status == MUS_OK && (!(d > 0.0) || !leg_dart(half, &darts))) {
+                             0.64 * net + 0.75 * d}, {length, length}, net};
+    const bool closes = status == MUS_OK && d > 0.0 && (def->yoke ? leg_yoke(&problem, net, high, half)
+                                                                  : leg_dart(half, &darts));
+    if (status == MUS_OK && !closes) {
         if (d > 0.0) status = leg_back_side(context, &problem, half, net, def->top);
         half->dart_width = 0.0;
         half->waist_length = mus__dist2(half->centre, half->side);
+        if (def->yoke) leg_yoke_plain(&problem, high, half);
     }
     leg_outseam(&problem, half->side, &half->outseam);
     return status;

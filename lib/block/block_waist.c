@@ -86,6 +86,9 @@ double mus__waist_true(mus__waist *waist)
     mus__cubic_set(rest, start, start[0] + reach * waist->along[0][0], start[1] + reach * waist->along[0][1],
                    end[0] - reach * along[0], end[1] - reach * along[1], end);
     const double length = mus__cubic_length(rest);
+    memcpy(waist->closed, rest, sizeof rest);
+    const double map[6] = {last->c, -last->s, last->t[0], last->s, last->c, last->t[1]};
+    memcpy(waist->close, map, sizeof map);
 
     /* cut at the legs, and opened again */
     for (int32_t d = 0; d <= n; d++) {

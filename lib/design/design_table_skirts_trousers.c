@@ -90,9 +90,9 @@ const mus__design_row mus__designs_lower[] = {
 
     /* trousers, classics by their names */
     {"chinos", "trousers", "Chinos", "trousers leg=tapered pocket=welt", W | M},
-    {"jeans", "jeans", "Jeans", "trousers pocket=patch ease=slim", W | M},
+    {"jeans", "jeans", "Jeans", "trousers yoke=yoke pocket=patch ease=slim", W | M},
     {"palazzo", "trousers", "Palazzo trousers", "trousers leg=wide rise=high ease=loose", W},
-    {"bell_bottoms", "jeans", "Bell bottoms", "trousers leg=flare rise=low band=contour", W | M},
+    {"bell_bottoms", "jeans", "Bell bottoms", "trousers leg=flare rise=low band=contour yoke=yoke pocket=patch", W | M},
     {"joggers", "joggers", "Joggers", "trousers leg=jogger band=elastic cloth=knit", W | M | C},
     {"leggings", "leggings", "Leggings", "trousers leg=tapered leg_length=ankle band=elastic cloth=knit ease=slim", W},
     {"cycling_shorts", "leggings", "Cycling shorts",
@@ -124,10 +124,10 @@ const mus__design_row mus__designs_lower[] = {
     ROW(TROUSERS_LOW, LEG_BOOTCUT) ROW(TROUSERS_HIGH, LEG_FLARE) ROW(TROUSERS_HIGH, LEG_WIDE)
     ROW(TROUSERS_LOW, LEG_WIDE) ROW(TROUSERS_HIGH, LEG_TAPERED) ROW(TROUSERS_LOW, LEG_TAPERED)
     ROWS(TROUSERS_ELASTIC, LEG_STRAIGHT) ROWS(TROUSERS_ELASTIC, LEG_WIDE)
-    {"jeans_tapered", "jeans", "Jeans, tapered", "trousers leg=tapered pocket=patch ease=slim", W | M},
-    {"jeans_bootcut", "jeans", "Jeans, bootcut", "trousers leg=bootcut pocket=patch ease=slim", W | M},
-    {"jeans_flare", "jeans", "Jeans, flare", "trousers leg=flare pocket=patch ease=slim", W | M},
-    {"jeans_shorts", "jeans", "Jeans shorts", "trousers leg_length=short pocket=patch ease=slim", W | M},
+    {"jeans_tapered", "jeans", "Jeans, tapered", "trousers leg=tapered yoke=yoke pocket=patch ease=slim", W | M},
+    {"jeans_bootcut", "jeans", "Jeans, bootcut", "trousers leg=bootcut yoke=yoke pocket=patch ease=slim", W | M},
+    {"jeans_flare", "jeans", "Jeans, flare", "trousers leg=flare yoke=yoke pocket=patch ease=slim", W | M},
+    {"jeans_shorts", "jeans", "Jeans shorts", "trousers leg_length=short yoke=yoke pocket=patch ease=slim", W | M},
     {"slim_trousers", "trousers", "Slim trousers", "trousers leg=tapered leg_length=ankle ease=slim", W | M},
     {"loose_trousers", "trousers", "Loose trousers", "trousers ease=loose", W | M},
     {"faced_trousers", "trousers", "Trousers without a band", "trousers leg=tapered leg_length=ankle band=facing", W},

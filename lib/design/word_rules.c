@@ -68,6 +68,7 @@ static const struct {
     {{"yoke=yoke", "neck=halter,strapless"}, "there is no shoulder to cut it from"},
     {{"yoke=yoke", "sleeve=raglan,dolman"}, "the sleeve takes its place"},
     {{"yoke=yoke", "shape=princess_shoulder,shoulder_waist,neck_gathers"}, "it would cut what ends on the shoulder"},
+    {{"yoke=yoke", "garment=trousers", "closure=back,side"}, "its seam would cross the zip"},
     {{"ease=loose,coat", "neck=strapless"}, "only what is close stays up"},
     {{"ease=coat", "garment=skirt,trousers,jumpsuit"}, "a coat hangs open from the shoulders"},
     {{"ease=coat", "closure!=front"}, "a coat goes on over clothes and opens in front"},

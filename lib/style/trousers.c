@@ -5,6 +5,7 @@
  *   tapered   knee + 3, hem as the foot allows             culotte  wider still below
  *   bootcut   hem 5 cm wider than the knee                 jogger   hem gathered into a rib
  *   flare     hem 15 cm wider                              harem    crotch 10 cm lower, gathered into a rib
+ *   yoke      no dart in front, the darts of the back closed into a yoke: jeans
  *   leggings  close trousers of a knit: hip, thigh, knee and ankle narrower than the body, no ease in the rise
  *
  * Front and back are sewn at inseam and outseam; the crotch sides are centre seams, which the doubling sews. Under a
@@ -74,6 +75,14 @@ static bool trousers_ribbed(const mus__half *half)
 }
 
 
+/* whether the back has a yoke; that of a jumpsuit is its bodice's */
+static bool trousers_yoked(const mus__half *half)
+{
+    return mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TROUSERS) &&
+           mus__style_is(half, MUS__AXIS_YOKE, MUS__YOKE_YOKE);
+}
+
+
 /* the block for this half */
 static mus__trousers_def trousers_block(const mus__half *half)
 {
@@ -91,6 +100,7 @@ static mus__trousers_def trousers_block(const mus__half *half)
     def.net[0] = mus__lower_net(half, true, level, -0.5 * MUS__CM);
     def.net[1] = mus__lower_net(half, false, level, -0.5 * MUS__CM);
     def.darts = true;
+    def.yoke = trousers_yoked(half);
     if (!mus__lower_has_top(half) && half->style.option[MUS__AXIS_BAND] == MUS__BAND_ELASTIC) {
         /* drawn up by the elastic, no darts */
         const double hip = fmax(m[MUS_MEASURE_HIP], m[MUS_MEASURE_WAIST]);
@@ -131,20 +141,54 @@ static void trousers_waist(const mus__trousers_half *block, mus__chain *part)
 }
 
 
+/* the yoke of the back: seam, side up, waist, centre down */
+static int32_t trousers_yoke_draw(mus__half *half, const mus__trousers_yoke *yoke)
+{
+    mus__outline outline;
+    mus__chain chain;
+    mus__outline_begin(&outline);
+    mus__chain_cubic(&chain, yoke->seam);
+    mus__outline_add(&outline, "yoke", "", MUS__SEAM_ALLOWANCE, &chain);
+    chain = yoke->side;
+    mus__chain_reverse(&chain);
+    mus__outline_add(&outline, "outseam", "side", MUS__SEAM_ALLOWANCE, &chain);
+    mus__chain_cubic(&chain, yoke->waist);
+    mus__lower_top(&outline, 0, NULL, &chain);
+    mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, yoke->centre, yoke->centre + 2);
+    const int32_t panel = mus__outline_panel(half, &outline, "back_yoke", "leg", true);
+    mus__half_centre(half, panel, "centre", MUS__CENTRE_SEAM);
+    return panel;
+}
+
+
+/* the top of a leg: its waist, or the seam of its yoke, whose side it ends at */
+static void trousers_top(mus__outline *outline, const mus__trousers_half *block)
+{
+    mus__chain part[MUS__DARTS + 1];
+    if (block->yoke.cut) {
+        mus__outline_line(outline, "yoke", "", MUS__SEAM_ALLOWANCE, block->yoke.top + 2, block->yoke.top);
+        return;
+    }
+    trousers_waist(block, part);
+    mus__lower_top(outline, block->ndart, block->dart, part);
+}
+
+
 /* hem, outseam up, waist, centre and crotch down, inseam down */
 static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, bool front)
 {
     mus__outline outline;
-    mus__chain chain, crotch, part[MUS__DARTS + 1];
+    mus__chain chain, crotch;
     mus__outline_begin(&outline);
     mus__chain_cubic(&chain, block->hem);
     mus__outline_add(&outline, "hem", "hem", 4.0 * MUS__CM, &chain);
     chain = block->outseam;
     mus__chain_reverse(&chain);
+    if (block->yoke.cut)
+        mus__chain_cut(&chain, mus__chain_length(&chain) - mus__chain_length(&block->yoke.side), &chain);
     mus__outline_add(&outline, "outseam", "side", MUS__SEAM_ALLOWANCE, &chain);
-    trousers_waist(block, part);
-    mus__lower_top(&outline, block->ndart, block->dart, part);
-    mus__chain_line(&chain, block->centre, block->centre + 2);
+    trousers_top(&outline, block);
+    mus__chain_line(&chain, block->yoke.cut ? block->yoke.top : block->centre, block->centre + 2);
     mus__chain_cubic(&crotch, block->crotch);
     mus__chain_append(&chain, &crotch);
     mus__outline_add(&outline, "crotch", "centre", MUS__SEAM_ALLOWANCE, &chain);
@@ -199,6 +243,21 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
 }
 
 
+/* sews the outseam, and the yoke (MUS_NONE: none) to the back */
+static void trousers_outseam(mus__half *half, int32_t front, int32_t back, int32_t yoke)
+{
+    mus__board *board = &half->board;
+    if (yoke == MUS_NONE) {
+        mus__half_sew(half, front, "outseam", back, "outseam", 0.0);
+        return;
+    }
+    mus__half_sew(half, back, "yoke", yoke, "yoke", 0.0);
+    const int32_t out[1] = {mus__board_find(board, front, "outseam")};
+    const int32_t behind[2] = {mus__board_find(board, yoke, "outseam"), mus__board_find(board, back, "outseam")};
+    if (board->status == MUS_OK) mus__board_sew(board, 1, out, 2, behind);
+}
+
+
 void mus__trousers_attach(mus__half *half)
 {
     const int32_t first = half->board.npanel;
@@ -209,7 +268,8 @@ void mus__trousers_attach(mus__half *half)
     mus__half_failed(half, status);
     if (status != MUS_OK) return;
     const int32_t front = trousers_draw(half, &block.front, true), back = trousers_draw(half, &block.back, false);
-    mus__half_sew(half, front, "outseam", back, "outseam", 0.0);
+    const int32_t yoke = block.back.yoke.cut ? trousers_yoke_draw(half, &block.back.yoke) : MUS_NONE;
+    trousers_outseam(half, front, back, yoke);
     mus__half_sew(half, front, "inseam", back, "inseam", 0.0);
 
     /* a hem that goes round the whole foot starts before the toes */
@@ -217,7 +277,9 @@ void mus__trousers_attach(mus__half *half)
     const double toes = def.hem[0] + def.hem[1] > 2.2 * foot ? 0.115 * m[MUS_MEASURE_STATURE] + 0.04 : 0.0;
     mus__lower_place_leg(half, front, true, block.front.crease, block.front.crease + block.front.fork, block.thigh,
                          toes);
-    mus__lower_place_leg(half, back, false, block.back.crease, block.back.crease + block.back.fork, block.thigh, 0.0);
+    for (int32_t i = 0; i < (yoke == MUS_NONE ? 1 : 2); i++)
+        mus__lower_place_leg(half, i == 0 ? back : yoke, false, block.back.crease,
+                             block.back.crease + block.back.fork, block.thigh, 0.0);
     if (trousers_ribbed(half)) trousers_rib(half, &block, front, back);
     mus__lower_waist_sew(half, first);
 }

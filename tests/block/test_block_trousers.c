@@ -107,6 +107,42 @@ START_TEST(seams_waist_and_darts_agree)
 END_TEST
 
 
+/* every table size, natural and low: the seam of a yoke is as long on both sides, its side is what the leg lacks, its
+ * waist is that of the back; the front has no dart, and its outseam is still that of the back */
+START_TEST(a_yoke_is_the_back_with_its_darts_closed)
+{
+    mus_context *context = support_context();
+    const mus__measures measures = drafts_measures(context, mus_tape_size_name(_i));
+    for (int low = 0; low < 2; low++) {
+        mus__trousers_def def = trousers_of(&measures);
+        mus__trousers t;
+        def.yoke = true;
+        if (low == 1) def.top = -0.3 * measures.v[MUS_MEASURE_WAIST_TO_HIP];
+        for (int i = 0; low == 1 && i < 2; i++) def.net[i] += 0.3 * 0.25 * (def.hip - def.waist);
+        ck_assert_msg(mus__trousers_draft(context, &def, &t) == MUS_OK, "%s", mus_context_error(context));
+        const mus__trousers_yoke *yoke = &t.back.yoke;
+        ck_assert_int_eq(t.front.ndart + t.back.ndart, 0);
+        ck_assert(yoke->cut && !t.front.yoke.cut);
+        ck_assert_double_eq_tol(t.front.outseam_length, t.back.outseam_length, 1e-9);
+        ck_assert_double_eq_tol(mus__cubic_length(yoke->waist), def.net[1], 1e-9);
+        ck_assert_double_eq_tol(mus__cubic_length(yoke->seam),
+                                hypot(yoke->top[2] - yoke->top[0], yoke->top[3] - yoke->top[1]), 1e-9);
+
+        /* its corners meet, and the seam's ends are those of centre and side */
+        const double *side = yoke->side.xy, *foot = yoke->side.xy + 2 * (yoke->side.nxy - 1);
+        for (int i = 0; i < 2; i++) {
+            ck_assert_double_eq_tol(yoke->waist[i], yoke->centre[i], 1e-9);
+            ck_assert_double_eq_tol(yoke->waist[6 + i], side[i], 1e-9);
+            ck_assert_double_eq_tol(yoke->seam[i], yoke->centre[2 + i], 1e-9);
+            ck_assert_double_eq_tol(yoke->seam[6 + i], foot[i], 1e-9);
+        }
+        if (t.back.dart_width > 0.0) ck_assert_double_gt(mus__cubic_length(yoke->seam), def.net[1]);
+    }
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(trousers_that_cannot_be_are_refused)
 {
     mus_context *context = support_context();
@@ -149,6 +185,7 @@ Suite *mus_suite_block_trousers(void)
     TCase *tcase = tcase_create("block_trousers");
     tcase_add_loop_test(tcase, trousers_are_the_golden_numbers, 0, (int)(sizeof golden / sizeof golden[0]));
     tcase_add_loop_test(tcase, seams_waist_and_darts_agree, 0, 28);
+    tcase_add_loop_test(tcase, a_yoke_is_the_back_with_its_darts_closed, 0, 28);
     tcase_add_test(tcase, trousers_that_cannot_be_are_refused);
     tcase_add_test(tcase, a_large_thigh_widens_the_fork);
     suite_add_tcase(suite, tcase);

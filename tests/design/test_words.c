@@ -251,6 +251,7 @@ START_TEST(refusals_name_the_words)
         {"top shape=waist closure=none", {"shape=waist", "closure=none", "opening"}},
         {"skirt skirt=pencil length=maxi", {"skirt=pencil", "length=maxi", "walk"}},
         {"trousers leg=flare band=elastic", {"leg=flare", "band=elastic"}},
+        {"trousers yoke=yoke closure=back", {"yoke=yoke", "closure=back", "zip"}},
         {"top closure=seams", {"closure=seams", "ease=regular", "four pieces"}},
         {"dress skirt=block", {"skirt=block", "garment=dress", "bodice"}},
         {"skirt band=none", {"band=none", "skirt=straight", "hangs"}},

@@ -269,6 +269,44 @@ START_TEST(leggings_are_narrower_than_the_body)
 END_TEST
 
 
+/* trousers with a yoke have no dart; the yoke is sewn to the back and to the front's outseam, and pockets stay on the
+ * back below it */
+START_TEST(a_yoke_takes_the_place_of_the_darts)
+{
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, sizes[_i]);
+    static const char *const words[] = {"trousers yoke=yoke pocket=patch ease=slim",
+                                        "trousers leg=flare rise=low band=contour yoke=yoke pocket=patch",
+                                        "trousers leg=tapered band=elastic cloth=knit yoke=yoke pocket=patch"};
+    for (int w = 0; w < 3; w++) {
+        mus_pattern *pattern;
+        const mus_status status = mus_design_draft_words(context, words[w], tape, NULL, &pattern);
+        ck_assert_msg(status == MUS_OK, "%s of %s: %s", words[w], sizes[_i], mus_context_error(context));
+        const int32_t back = mus_pattern_find_panel(pattern, "leg_back_left");
+        const int32_t yoke = mus_pattern_find_panel(pattern, "back_yoke_left");
+        ck_assert_int_ne(yoke, MUS_NONE);
+        ck_assert_int_eq(mus_pattern_find_edge(pattern, mus_pattern_find_panel(pattern, "leg_front_left"), "d1"),
+                         MUS_NONE);
+        ck_assert_int_eq(mus_pattern_find_edge(pattern, back, "d1"), MUS_NONE);
+        ck_assert_int_eq(mus_pattern_find_edge(pattern, back, "w1"), MUS_NONE);
+        ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, mus_pattern_find_edge(pattern, back, "yoke")),
+                                mus_pattern_edge_length(pattern, mus_pattern_find_edge(pattern, yoke, "yoke")), 1e-9);
+        int32_t pockets = 0;
+        for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+            const char *name;
+            int32_t panel;
+            ck_assert_int_eq(mus_pattern_mark(pattern, i, &panel, &name, NULL, NULL), MUS_OK);
+            pockets += panel == back && strcmp(name, "pocket") == 0;
+        }
+        ck_assert_int_eq(pockets, 1);
+        mus_pattern_destroy(pattern);
+    }
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 START_TEST(a_draft_without_memory_fails_and_leaves_nothing)
 {
     static const char *const words[] = {"skirt closure=side skirt=godet", "skirt closure=side skirt=wrap",
@@ -302,6 +340,7 @@ Suite *mus_suite_waist_edge(void)
     tcase_add_test(tcase, gathers_and_bands_have_their_lengths);
     tcase_add_loop_test(tcase, dresses_and_jumpsuits_draft, 0, SIZES);
     tcase_add_loop_test(tcase, leggings_are_narrower_than_the_body, 0, SIZES);
+    tcase_add_loop_test(tcase, a_yoke_takes_the_place_of_the_darts, 0, SIZES);
     tcase_add_loop_test(tcase, a_draft_without_memory_fails_and_leaves_nothing, 0, 3);
     suite_add_tcase(suite, tcase);
     return suite;

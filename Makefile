@@ -56,7 +56,7 @@ say = $(if $(or $(silent),$(filter $(if $(filter CC,$(1)),0) 1,$(V))),,@echo '  
 # ---- rooms of lib/: every folder is one. OMIT=NAME leaves out the rooms of its row, and files that need them ----
 ROOMS := $(patsubst lib/%/,%,$(wildcard lib/*/))
 $(foreach m,print exchange catalogue integrate scan manifold,$(eval OMIT_$(m) := $(m)))$(eval OMIT_layout := layout nest cutter/layout_svg sewing)
-OMIT_design = block half closure style finish design
+OMIT_design = block half closure style pocket finish design
 OMIT_drape = drape dress fit arrange sim contact selfcontact
 OMIT_cloth = cloth $(OMIT_drape) exchange
 OMIT_pattern = pattern topology board edit $(OMIT_layout) $(OMIT_design) $(OMIT_cloth) print catalogue

@@ -159,7 +159,7 @@ static void panel_lines(stitches *s, const mus_pattern *pattern, int32_t panel)
 
 
 /* marks of what is seen from outside */
-static const char *const seen_marks[] = {"pocket", "pocket opening", "welt", "flap", "slit"};
+static const char *const seen_marks[] = {"pocket", "pocket opening", "kangaroo pocket", "welt", "flap", "slit"};
 
 
 static void patch_lines(stitches *s, const mus_pattern *pattern, int32_t mark)

@@ -14,6 +14,7 @@
 #include "design/draft.h"
 #include "design/words.h"
 #include "finish/cut_only.h"
+#include "pocket/pocket.h"
 #include "style/style_parts.h"
 
 

@@ -7,7 +7,7 @@
  *   waist      band=facing: facings
  *   fly        trousers that open in front: fly facing and shield; with a band also belt loops
  *   pocket     a pocket that is marked on a panel and is no panel itself: a patch; one that is a slit: its
- *              welt, flap and bag. Trousers with pockets have front pockets too: facings and bags
+ *              welt, flap and bag. A kangaroo pocket. Trousers with pockets have front pockets too: facings and bags
  *   collar     an under-collar
  *   slit       a placket for each slit of a sleeve
  *   buttons    interfacing of the button stand
@@ -300,6 +300,7 @@ mus_status mus__cut_only_make(const mus__style *style, double scale, mus_pattern
         mus__cut_facings(&job, "waist", "_waist_facing");
     if (garment == MUS__GARMENT_TROUSERS) cut_fly(&job, style);
     cut_pockets(&job);
+    mus__cut_kangaroo(&job);
     cut_welts(&job, "welt");
     cut_welts(&job, "flap");
     if (garment == MUS__GARMENT_TROUSERS && style->option[MUS__AXIS_POCKET] != MUS__POCKET_NONE)

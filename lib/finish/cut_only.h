@@ -69,6 +69,8 @@ int32_t mus__cut_shape_add(mus__cut_only *job, const mus__cut_shape *shape, cons
 void mus__cut_shape_pair(mus__cut_only *job, const mus__cut_shape *shape, const char *name, int32_t material,
                          int32_t count);
 
+/* Draws the piece of a kangaroo pocket as it is marked; of a front that opens a mirrored pair. */
+void mus__cut_kangaroo(mus__cut_only *job);
 /* Draws the front pockets of trousers: bags and facings, and the line of the opening on the front legs of `pattern`. */
 void mus__cut_front_pocket(mus__cut_only *job, mus_pattern *pattern);
 /* Draws an under-collar for each collar with an outer edge; half of its pieces are then cut of that. */

@@ -1,6 +1,6 @@
 /*
- * cut_only_pocket.c: the front pockets of trousers: where the front is cut away at the side, the facing of the same
- * cloth that fills the place, and the bag.
+ * cut_only_pocket.c: kangaroo pockets, and the front pockets of trousers: where the front is cut away at the side, the
+ * facing of the same cloth that fills the place, and the bag.
  *
  *      centre ------ W ===== S     S is the corner of waist and side; W to B the opening, a line on the leg. The facing
  *             |      |  \    |     reaches under the front, the bag to the hand's depth; both have the waist and the
@@ -22,6 +22,8 @@
 #define POCKET_DOWN 0.08        /* [m] and down the side */
 #define POCKET_UNDER 0.035      /* [m] the facing lies under the front by, at the waist and at the side */
 #define POCKET_DEEP 0.26        /* [m] the bag below the waist: a hand */
+
+#define KANGAROO "kangaroo pocket" /* the mark on the front, and the label of the piece that lies on it */
 
 /* the leg's rim about the corner of waist and side */
 typedef struct pocket_leg {
@@ -100,6 +102,44 @@ static void pocket_end(pocket_leg *leg, double down, mus__cut_shape *shape)
         else mus__cut_shape_to(shape, shape->xy[0][0], shape->xy[0][1]);
     }
     mus__cut_shape_edge(shape, "side", "", MUS__SEAM_ALLOWANCE);
+}
+
+
+void mus__cut_kangaroo(mus__cut_only *job)
+{
+    static const char *const names[5] = {"top", "opening", "side", "low", "centre"};
+    const double *xy = NULL;
+    int32_t panel = MUS_NONE;
+    for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern) && xy == NULL; i++) {
+        const char *name;
+        int32_t n;
+        const double *own;
+        if (mus_pattern_mark(job->pattern, i, &panel, &name, &n, &own) != MUS_OK || n != 5) continue;
+        if (strcmp(name, KANGAROO) == 0 && own[2] > own[0]) xy = own;
+    }
+    if (xy == NULL) return;
+
+    /* counter-clockwise: from the centre below out, up and back; whole on the fold, or a half for each front */
+    const bool whole = mus_pattern_find_panel(job->pattern, "front_left") == MUS_NONE;
+    mus__cut_shape shape;
+    mus__cut_shape_begin(&shape, KANGAROO, whole ? -xy[6] : xy[8], xy[9]);
+    for (int32_t i = 3; i >= 0; i--) {
+        if (whole && i == 0) continue;
+        mus__cut_shape_to(&shape, xy[2 * i], xy[2 * i + 1]);
+        mus__cut_shape_edge(&shape, names[i], names[i], i == 1 ? MUS__HEM_ALLOWANCE : MUS__SEAM_ALLOWANCE);
+    }
+    for (int32_t i = 1; whole && i < 4; i++) {
+        static const char *const mirrored[4] = {"", "top", "opening_r", "side_r"};
+        mus__cut_shape_to(&shape, -xy[2 * i], xy[2 * i + 1]);
+        mus__cut_shape_edge(&shape, mirrored[i], names[i - 1], i == 2 ? MUS__HEM_ALLOWANCE : MUS__SEAM_ALLOWANCE);
+    }
+    if (whole) {
+        mus__cut_shape_add(job, &shape, "kangaroo_pocket", MUS_MATERIAL_MAIN, 1);
+        return;
+    }
+    mus__cut_shape_to(&shape, xy[8], xy[9]);
+    mus__cut_shape_edge(&shape, "centre", "", MUS__SEAM_ALLOWANCE);
+    mus__cut_shape_pair(job, &shape, "kangaroo_pocket", MUS_MATERIAL_MAIN, 1);
 }
 
 

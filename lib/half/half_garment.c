@@ -1,13 +1,20 @@
 /*
  * half_garment.c: small steps that the parts of a half garment share.
  */
-#include "half/half_garment.h"
+#include <math.h>
 
+#include "half/half_garment.h"
 
 
 bool mus__style_is(const mus__half *half, int32_t axis, int32_t option)
 {
     return half->style.option[axis] == option;
+}
+
+
+double mus__lower_scale(const mus__half *half)
+{
+    return fmin(1.0, half->measures.v[MUS_MEASURE_WAIST_TO_HIP] / 0.20);
 }
 
 

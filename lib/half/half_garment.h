@@ -60,6 +60,8 @@ typedef struct mus__half {
 
 /* whether the style of the half has `option` on `axis` */
 bool mus__style_is(const mus__half *half, int32_t axis, int32_t option);
+/* Factor for lengths in centimetres below the waist: min(1, waist to hip / 20 cm). */
+double mus__lower_scale(const mus__half *half);
 /* Sets the status of the board to that of a block that failed; its message is in the context. */
 void mus__half_failed(mus__half *half, mus_status status);
 

@@ -30,7 +30,8 @@
     X(CLOTH, "cloth", "woven", "knit")                                                                                 \
     X(CUFF, "cuff", "none", "cuff", "rib")                                                                             \
     X(YOKE, "yoke", "none", "yoke")                                                                                    \
-    X(POCKET, "pocket", "none", "patch", "welt", "flap")
+    X(POCKET, "pocket", "none", "patch", "welt", "flap", "kangaroo")                                                   \
+    X(HEM, "hem", "turned", "ribbed")
 
 enum {
 #define MUS__AXIS_ENUM(name, ...) MUS__AXIS_##name,
@@ -68,7 +69,8 @@ enum { MUS__EASE_REGULAR, MUS__EASE_SLIM, MUS__EASE_LOOSE, MUS__EASE_COAT, MUS__
 enum { MUS__CLOTH_WOVEN, MUS__CLOTH_KNIT };
 enum { MUS__CUFF_NONE, MUS__CUFF_CUFF, MUS__CUFF_RIB };
 enum { MUS__YOKE_NONE, MUS__YOKE_YOKE };
-enum { MUS__POCKET_NONE, MUS__POCKET_PATCH, MUS__POCKET_WELT, MUS__POCKET_FLAP };
+enum { MUS__POCKET_NONE, MUS__POCKET_PATCH, MUS__POCKET_WELT, MUS__POCKET_FLAP, MUS__POCKET_KANGAROO };
+enum { MUS__HEM_TURNED, MUS__HEM_RIBBED };
 
 typedef struct mus__style {
     int32_t option[MUS__AXIS_COUNT];

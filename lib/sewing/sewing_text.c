@@ -186,6 +186,16 @@ static void tell_plackets(mus__instructions *job)
 }
 
 
+/* has a patch edges of its own to put a hand in, in place of its upper one? */
+static bool patch_opens(const mus_pattern *extra, int32_t panel)
+{
+    for (int32_t i = 0; i < mus_pattern_edge_count(extra); i++)
+        if (mus_pattern_edge_panel(extra, i) == panel && strcmp(mus_pattern_edge_label(extra, i), "opening") == 0)
+            return true;
+    return false;
+}
+
+
 /* patches whose place is marked, each below its name */
 static void tell_patches(mus__instructions *job)
 {
@@ -198,7 +208,7 @@ static void tell_patches(mus__instructions *job)
         mus__plain_words(mus_pattern_panel_name(job->extra, k), true, words);
         mus__phrase phrase = mus__phrase_in(job->language);
         mus__phrase_text(&phrase, 1, mus__tell_words(job, "panel", words, told));
-        mus__list_step(job, &phrase, "step.patch");
+        mus__list_step(job, &phrase, patch_opens(job->extra, k) ? "step.pouch" : "step.patch");
     }
 }
 

@@ -37,14 +37,14 @@ static void torso_shoulder(const mus__half *half, bool loose, mus__measures *mea
 /* y of the lower edge [m]: 0 for a dress, a jumpsuit or a block, else the length given by the caller or by the word */
 static double torso_hem(const mus__half *half, double scale)
 {
-    const double hip = half->measures.v[MUS_MEASURE_WAIST_TO_HIP];
+    const double hip = half->measures.v[MUS_MEASURE_WAIST_TO_HIP], rib = mus__hem_rib_above(half, scale);
     if (!mus__top_hem(half)) return 0.0;
-    if (!isnan(half->def.length)) return -half->def.length;
+    if (!isnan(half->def.length)) return fmin(rib - half->def.length, 0.5 * half->bodice.underarm);
     switch (half->style.option[MUS__AXIS_TOP_LENGTH]) {
-    case MUS__TOP_LENGTH_CROP: return fmin(4.0 * scale * MUS__CM, 0.25 * half->bodice.underarm);
-    case MUS__TOP_LENGTH_WAIST: return 0.0;
-    case MUS__TOP_LENGTH_TUNIC: return -(hip + 20.0 * scale * MUS__CM);
-    default: return -(hip + 6.0 * scale * MUS__CM);
+    case MUS__TOP_LENGTH_CROP: return fmin(4.0 * scale * MUS__CM + rib, 0.25 * half->bodice.underarm);
+    case MUS__TOP_LENGTH_WAIST: return fmin(rib, 0.25 * half->bodice.underarm);
+    case MUS__TOP_LENGTH_TUNIC: return rib - (hip + 20.0 * scale * MUS__CM);
+    default: return rib - (hip + 6.0 * scale * MUS__CM);
     }
 }
 
@@ -222,6 +222,7 @@ void mus__top_draft(mus__half *half)
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
     mus__neckline_hold(half);
     torso_place(half, &top);
+    mus__hem_rib_attach(half, &top);
     torso_waist(half);
 
     /* a step that finds no room reports an argument out of range: the design is infeasible */

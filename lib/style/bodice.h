@@ -2,8 +2,8 @@
  * bodice.h: what the files of a top share: the figures of its draft and the steps from the blocks to the sewn body.
  *
  * bodice.c drafts the blocks and draws the panels; bodice_edges.c draws side and lower edge, neckline.c armhole,
- * shoulder and neck; shaping*.c rotate the darts and cut the panels apart; yoke.c cuts the yoke;
- * lib/closure sets the centre lines.
+ * shoulder and neck; shaping*.c rotate the darts and cut the panels apart; yoke.c cuts the yoke; hem_rib.c sews on a
+ * rib; lib/closure sets the centre lines.
  */
 #ifndef MUS_BODICE_H
 #define MUS_BODICE_H
@@ -75,6 +75,11 @@ void mus__shaping_smooth_arm(mus__board *board, int32_t side);
 
 void mus__shaping_princess(mus__half *half, mus__top *top, bool armhole);
 void mus__shaping_empire(mus__half *half, mus__top *top);
+/* hem_rib.c: what the hem of the body lies above that of the garment by, for `scale` of lengths in centimetres [m]; 0
+ * without a rib */
+double mus__hem_rib_above(const mus__half *half, double scale);
+/* sews a rib to the hem of a top, if the style has one */
+void mus__hem_rib_attach(mus__half *half, const mus__top *top);
 /* yoke.c: joins the upper back and 2 cm of the front's shoulder to one panel */
 void mus__shaping_yoke(mus__half *half, mus__top *top);
 

@@ -40,8 +40,5 @@ bool mus__trousers_close(const mus__half *half);
 
 /* waistband.c: waistband or facing of a skirt or trousers */
 void mus__band_attach(mus__half *half);
-/* pocket.c: marks of patch pockets on the half; their panels on the whole garment, after mus__board_double() */
-void mus__pocket_attach(mus__half *half);
-void mus__pocket_finish(mus__half *half);
 
 #endif

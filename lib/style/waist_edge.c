@@ -35,12 +35,6 @@ void mus__lower_top(mus__outline *outline, int32_t n, const double (*dart)[6], c
 
 /* ---- the person ---- */
 
-double mus__lower_scale(const mus__half *half)
-{
-    return fmin(1.0, half->measures.v[MUS_MEASURE_WAIST_TO_HIP] / 0.20);
-}
-
-
 double mus__lower_girth(const mus__half *half, double level)
 {
     /* straight from underbust to waist, high hip half way down, hip */

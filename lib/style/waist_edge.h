@@ -22,8 +22,6 @@ double mus__lower_girth(const mus__half *half, double level);
 /* Level of the top edge of the skirt or trousers without their band: the waist, lower by a low rise or a shaped
  * band. */
 double mus__lower_level(const mus__half *half);
-/* Factor for lengths in centimetres: min(1, waist to hip / 20 cm). */
-double mus__lower_scale(const mus__half *half);
 /* Whether the skirt or trousers are sewn to the waist of a bodice. */
 bool mus__lower_has_top(const mus__half *half);
 /* Sewn length of the front or back half of the top edge at a level: a quarter of girth and ease, `more` added in front

@@ -34,7 +34,8 @@ START_TEST(words_stand_in_the_order_of_their_numbers)
         {MUS__AXIS_CLOTH, MUS__CLOTH_KNIT, "knit"},
         {MUS__AXIS_CUFF, MUS__CUFF_RIB, "rib"},
         {MUS__AXIS_YOKE, MUS__YOKE_YOKE, "yoke"},
-        {MUS__AXIS_POCKET, MUS__POCKET_FLAP, "flap"},
+        {MUS__AXIS_POCKET, MUS__POCKET_KANGAROO, "kangaroo"},
+        {MUS__AXIS_HEM, MUS__HEM_RIBBED, "ribbed"},
     };
     ck_assert_int_eq(sizeof list / sizeof *list, MUS__AXIS_COUNT);
     ck_assert_int_eq(mus_design_axis_count(), MUS__AXIS_COUNT);
@@ -252,6 +253,9 @@ START_TEST(refusals_name_the_words)
         {"skirt skirt=pencil length=maxi", {"skirt=pencil", "length=maxi", "walk"}},
         {"trousers leg=flare band=elastic", {"leg=flare", "band=elastic"}},
         {"trousers yoke=yoke closure=back", {"yoke=yoke", "closure=back", "zip"}},
+        {"top hem=ribbed cloth=woven", {"hem=ribbed", "cloth=woven"}},
+        {"skirt pocket=kangaroo", {"pocket=kangaroo", "garment=skirt"}},
+        {"top pocket=kangaroo shape=waist", {"pocket=kangaroo", "shape=waist"}},
         {"top closure=seams", {"closure=seams", "ease=regular", "four pieces"}},
         {"dress skirt=block", {"skirt=block", "garment=dress", "bodice"}},
         {"skirt band=none", {"band=none", "skirt=straight", "hangs"}},

@@ -54,6 +54,8 @@ START_TEST(the_words_choose_the_pieces)
         {"halter_waist_hip", "front_facing 1 main 1 interfacing, front_armhole_facing 2 main 2 interfacing, "
                              "back_left_armhole_facing 2 main 2 interfacing, elastic 2 elastic"},
         {"pencil_skirt_knee", ""},
+        {"hoodie", "kangaroo_pocket 1 main"},
+        {"hoodie_zip", "kangaroo_pocket_left 2 main, button_stand 2 interfacing"},
     };
     mus_context *context = support_context();
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

@@ -61,7 +61,7 @@ carries pattern "base geom pattern topology" 'tape|body|design|cloth|fabric|drap
     mus_pattern *pattern; int32_t count;
     status = mus_pattern_create(context, "x", &pattern);
     if (status == MUS_OK) status = mus_pattern_check(pattern, &count, NULL)'
-carries design "base geom tape limb pattern topology board block half closure style finish design" 'cloth|fabric|drape|sim|plan|collider|integrate' '
+carries design "base geom tape limb pattern topology board block half closure style pocket finish design" 'cloth|fabric|drape|sim|plan|collider|integrate' '
     mus_pattern *pattern; status = mus_design_draft(context, 0, NULL, NULL, &pattern)'
 carries cloth "base geom pattern topology cloth" 'tape|body|design|drape|sim|plan|collider|integrate' '
     mus_cloth *cloth; status = mus_cloth_create(context, NULL, NULL, &cloth)'

@@ -7,17 +7,32 @@
  * alone. So does the seat of trousers: its cloth is tight, and a panel of the same length on it does not come to rest
  * with self-contact (jeans at 20 mm: residual 0.26). A pocket changes neither openings nor genus.
  *
+ * A kangaroo pocket lies on the front of a top across its centre, above the hem or with its lower edge in the seam of a
+ * rib. It is a mark, and a piece that is cut (lib/finish): of its six edges two slanted ones are open,
+ *
+ *        centre --- top        half of it: the upper edge, the opening, the side below it, the lower edge
+ *              |      \
+ *              |       |
+ *               -------
+ *
  * A welt or a flap hides a slit into a bag: a mark alone, its rectangle, on the hip of a top, above the seat of
  * trousers, on the front of a skirt. What it is made of is not draped (lib/finish).
  */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "board/board_patch_panel.h"
-#include "style/waist_edge.h"
+#include "pocket/pocket.h"
 
 #define POCKET_STEP (1.0 * MUS__CM)
 #define POCKET_MOVES 8
+#define KANGAROO_WIDE (18.0 * MUS__CM)  /* [m] half the width of a kangaroo pocket; it and what follows: of trade */
+#define KANGAROO_TOP (12.0 * MUS__CM)   /* [m] half its upper edge */
+#define KANGAROO_HIGH (21.0 * MUS__CM)  /* [m] its height */
+#define KANGAROO_SIDE (6.0 * MUS__CM)   /* [m] its side below the opening */
+#define KANGAROO_ABOVE (4.0 * MUS__CM)  /* [m] above a hem that is turned: what is turned, and 1 cm more */
+#define KANGAROO_PART 0.8 /* of half the hem that it takes at most; chosen: it ends before the side seam */
 
 
 /* moves the mark by at most POCKET_MOVES steps each way, shortest way first, until it lies within its panel */
@@ -49,7 +64,7 @@ typedef struct pocket_kind {
 static pocket_kind pocket_of(const mus__half *half)
 {
     static const pocket_kind kinds[] = {
-        {"", 0.0, 0.0}, {"pocket", 13.0, 15.0}, {"welt", 14.0, 2.0}, {"flap", 15.0, 5.5}};
+        {"", 0.0, 0.0}, {"pocket", 13.0, 15.0}, {"welt", 14.0, 2.0}, {"flap", 15.0, 5.5}, {"", 0.0, 0.0}};
     static const pocket_kind chest = {"pocket", 11.5, 13.0}, seat = {"pocket", 14.0, 15.0};
     const int32_t garment = half->style.option[MUS__AXIS_GARMENT], kind = half->style.option[MUS__AXIS_POCKET];
     if (kind != MUS__POCKET_PATCH || garment == MUS__GARMENT_SKIRT || garment == MUS__GARMENT_DRESS) return kinds[kind];
@@ -71,9 +86,32 @@ static void pocket_mark(mus__half *half, const char *name, double x, double y)
 }
 
 
+/* marks half a kangaroo pocket from the centre of its upper edge over the opening to the centre of its lower one */
+static void pocket_kangaroo(mus__half *half)
+{
+    mus__board *board = &half->board;
+    const int32_t panel = mus__board_find_panel(board, "front"), cf = mus__board_find(board, panel, "cf");
+    if (board->status != MUS_OK || panel == MUS_NONE || cf == MUS_NONE) return;
+    const bool ribbed = mus__style_is(half, MUS__AXIS_HEM, MUS__HEM_RIBBED);
+    const double k = mus__measures_scale(&half->measures), *top = mus__board_start(board, cf);
+    const double *foot = mus__board_end(board, cf), *side = mus__board_end(board, board->side[cf].next);
+    const double low = foot[1] + (ribbed ? 0.0 : KANGAROO_ABOVE * k), wide = fabs(side[0] - foot[0]);
+    const double part = fmin(1.0, fmin(KANGAROO_PART * wide / (KANGAROO_WIDE * k),
+                                       KANGAROO_PART * (top[1] - low) / (KANGAROO_HIGH * k)));
+    const double cm = part * k, x = foot[0];
+    const double xy[10] = {x, low + KANGAROO_HIGH * cm, x + KANGAROO_TOP * cm, low + KANGAROO_HIGH * cm,
+                           x + KANGAROO_WIDE * cm, low + KANGAROO_SIDE * cm, x + KANGAROO_WIDE * cm, low, x, low};
+    mus__board_mark_add(board, panel, "kangaroo pocket", 5, xy);
+}
+
+
 void mus__pocket_attach(mus__half *half)
 {
     if (half->style.option[MUS__AXIS_POCKET] == MUS__POCKET_NONE) return;
+    if (mus__style_is(half, MUS__AXIS_POCKET, MUS__POCKET_KANGAROO)) {
+        pocket_kangaroo(half);
+        return;
+    }
     const bool patch = half->style.option[MUS__AXIS_POCKET] == MUS__POCKET_PATCH;
     const int32_t length = half->style.option[MUS__AXIS_TOP_LENGTH];
     const bool hips = length == MUS__TOP_LENGTH_HIP || length == MUS__TOP_LENGTH_TUNIC;

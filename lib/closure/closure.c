@@ -13,7 +13,6 @@
 #include "base/elementary.h"
 #include "closure/closure.h"
 
-#define CLOSURE_ZIP (1.5 * MUS__CM)
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
 /* [m] a buttonhole begins beyond the centre, where the shank of the button comes to rest; dressmaking has 3 mm */
 #define CLOSURE_SHANK 0.003
@@ -87,7 +86,7 @@ void mus__closure_set(mus__half *half)
         const bool opens = mus__style_is(half, MUS__AXIS_CLOSURE, front ? MUS__CLOSURE_FRONT : MUS__CLOSURE_BACK);
         const bool seam = mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS);
         side->centre = opens || seam ? MUS__CENTRE_SEAM : MUS__CENTRE_FOLD;
-        side->attr.allowance = !opens ? 0.0 : front ? 2.0 * MUS__BUTTON_STAND + 1.0 * MUS__CM : CLOSURE_ZIP;
+        side->attr.allowance = !opens ? 0.0 : front ? 2.0 * MUS__BUTTON_STAND + 1.0 * MUS__CM : MUS__ZIP_SEAM;
         if (seam) side->attr.allowance = MUS__SEAM_ALLOWANCE;
         if (!opens || !front) continue;
         closure_buttons(half, i);

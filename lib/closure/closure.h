@@ -9,6 +9,8 @@
 
 #include "half/half_garment.h"
 
+#define MUS__ZIP_SEAM (1.5 * MUS__CM) /* [m] allowance of a bodice's seam that a zip is set in; dressmaking practice */
+
 /* ---- closure.c, on the half ---- */
 
 /* Sets the centre lines of a top and marks the buttons. */
@@ -32,6 +34,8 @@ void mus__closure_button(mus__board *board, int32_t side, double out, const char
 int32_t mus__waist_opens(const mus__half *half, int32_t n, const int32_t *waist);
 /* Splits the seam that opens at the end of its zip; the part at the waist is called "zip". */
 void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist);
+/* Lets the zip of a bodice that opens behind go on below its waist; a centre back that is a fold becomes a seam. */
+void mus__waist_zip_below(mus__half *half, int32_t n, const int32_t *waist);
 
 /* ---- after mus__board_double() ---- */
 

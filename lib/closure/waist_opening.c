@@ -11,6 +11,9 @@
  *      --- band --------- | ------------ o | ...         o buttonhole; the band of the right goes on under
  *                         zip                            the left one by the underlap
  *
+ * Under a bodice that opens behind the zip goes on below the waist: else shoulders and hips would not pass it. A centre
+ * back that is a fold becomes a seam there.
+ *
  * The left front laps over the right, for which the fly is drawn; the left back over the right; the front over the
  * back at the side (dressmaking practice, for back and side). Sides are split at the end of the zip on both sides of
  * the wearer, so that what is cut mirrored stays so; the right side seam is sewn.
@@ -83,6 +86,21 @@ void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist)
     mus__board_rename(board, seam, "zip", NULL);
     mus__board_rename(board, low, name, NULL);
     if (partner != MUS_NONE) mus__board_rename(board, board->side[partner].next, "zip", NULL);
+}
+
+
+void mus__waist_zip_below(mus__half *half, int32_t n, const int32_t *waist)
+{
+    mus__board *board = &half->board;
+    if (board->status != MUS_OK || n == 0 || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_BACK)) return;
+    mus__board_side *centre = &board->side[board->side[waist[0]].prev];
+    if (centre->centre == MUS__CENTRE_FOLD) {
+        centre->centre = MUS__CENTRE_SEAM;
+        centre->attr.allowance = MUS__SEAM_ALLOWANCE;
+    }
+    if (centre->centre != MUS__CENTRE_SEAM) return;
+    mus__waist_zip(half, n, waist);
+    if (board->status == MUS_OK) board->side[board->side[waist[0]].prev].attr.allowance = MUS__ZIP_SEAM;
 }
 
 

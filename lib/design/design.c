@@ -81,7 +81,7 @@ static void design_make(mus__half *half)
     mus__board_match_notches(&half->board);
     mus__board_double(&half->board);
     mus__closure_finish(half);
-    if (waist) mus__waist_close(half);
+    if (skirt || legs) mus__waist_close(half);
     mus__pocket_finish(half);
 
     /* once more for the notches of the closure; those of the half were matched before, so that both sides are alike */

@@ -93,6 +93,37 @@ static int32_t loose_buttons(const mus__instructions *job)
 }
 
 
+/* are two seams with a zip parts of one? Those of one centre line are, as of a bodice and the skirt below it */
+static bool zip_one(const mus__instructions *job, const mus__sewn *a, const mus__sewn *b)
+{
+    const mus_pattern *pattern = job->pattern;
+    const int32_t centre = MUS_SIDE_FRONT | MUS_SIDE_BACK;
+    const int32_t sides = mus_pattern_panel_sides(pattern, a->panel[0], NULL) & centre;
+    return a == b || (a->zip && b->zip && strcmp(mus_pattern_edge_label(pattern, a->edge[0]), "centre") == 0 &&
+                      strcmp(mus_pattern_edge_label(pattern, b->edge[0]), "centre") == 0 &&
+                      sides == (mus_pattern_panel_sides(pattern, b->panel[0], NULL) & centre));
+}
+
+
+/* is seam i the first by words of its zip? */
+static bool zip_first(const mus__instructions *job, int32_t i)
+{
+    for (int32_t k = 0; k < i; k++)
+        if (zip_one(job, job->sewing.by_words[k], job->sewing.by_words[i])) return false;
+    return true;
+}
+
+
+/* [m] of a zip over all its seams */
+static double zip_length(const mus__instructions *job, const mus__sewn *seam)
+{
+    double length = 0.0;
+    for (int32_t k = 0; k < job->sewing.n; k++)
+        if (zip_one(job, job->sewing.by_words[k], seam)) length += job->sewing.by_words[k]->length[0];
+    return length;
+}
+
+
 static void tell_notions(mus__instructions *job)
 {
     bool any = false;
@@ -103,7 +134,7 @@ static void tell_notions(mus__instructions *job)
     if (buttons > 0) tell_notion(job, &loose, buttons == 1 ? "buttons.one" : "buttons.many", &any);
     for (int32_t i = 0; i < job->sewing.n; i++) {
         const mus__sewn *seam = job->sewing.by_words[i];
-        if (seam->zip) tell_zip(job, seam->length[0], "notion.zip", &any);
+        if (seam->zip && zip_first(job, i)) tell_zip(job, zip_length(job, seam), "notion.zip", &any);
     }
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);

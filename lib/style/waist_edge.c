@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "closure/closure.h"
 #include "style/waist_edge.h"
 
 #define PULLED_EASE (2.0 * MUS__CM) /* of a woven waist over the hip; chosen: what one hand needs */
@@ -186,8 +187,8 @@ void mus__lower_waist_sew(mus__half *half, int32_t first)
     if (half->board.status == MUS_OK && (na == 0 || nb == 0))
         mus__board_fail(&half->board, MUS_ERR_DESIGN, "waist: nothing to sew: %d sides above, %d below", (int)na,
                         (int)nb);
-    else
-        mus__board_sew(&half->board, na, top, nb, below);
+    mus__waist_zip_below(half, nb, below);
+    mus__board_sew(&half->board, na, top, nb, below);
 }
 
 

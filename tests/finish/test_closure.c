@@ -280,6 +280,53 @@ START_TEST(a_front_that_buttons_has_buttonholes_and_one_stand)
 END_TEST
 
 
+/* below a bodice that opens behind the zip goes on in the centre back, which is a seam there: 18 k, or 0.6 of the seam.
+ * Where the bodice opens elsewhere a back that is cut on the fold stays whole */
+START_TEST(a_zip_behind_goes_on_below_the_waist)
+{
+    static const struct {
+        const char *words, *panel;
+        bool zip;
+    } rows[] = {
+        {"dress skirt=gathered closure=back", "skirt_back_left", true},
+        {"dress skirt=knife closure=back", "skirt_back_left", true},
+        {"dress skirt=tiered length=midi closure=back", "skirt_back_left", true},
+        {"dress skirt=pencil closure=back", "skirt_back_left", true},
+        {"dress skirt=half neck=halter closure=back", "skirt_back_left", true},
+        {"jumpsuit closure=back", "leg_back_left", true},
+        {"dress skirt=gathered closure=side", "skirt_back", false},
+        {"dress skirt=gathered closure=front", "skirt_back", false},
+        {"dress skirt=gathered cloth=knit neck=scoop", "skirt_back", false},
+    };
+    static const char *const sizes[] = {"W40", "W52", "M50", "C92", "C152"};
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, sizes[_i]);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mus_pattern *pattern;
+        const mus_status status = mus_design_draft_words(context, rows[i].words, tape, NULL, &pattern);
+        ck_assert_msg(status == MUS_OK, "%s of %s: %s", rows[i].words, sizes[_i], mus_context_error(context));
+        const int32_t panel = mus_pattern_find_panel(pattern, rows[i].panel);
+        ck_assert_msg(panel != MUS_NONE, "%s has no %s", rows[i].words, rows[i].panel);
+        const int32_t zip = mus_pattern_find_edge(pattern, panel, "zip");
+        ck_assert_msg((zip != MUS_NONE) == rows[i].zip, "%s of %s", rows[i].words, sizes[_i]);
+        if (zip != MUS_NONE) {
+            mus_seam_def seam;
+            mus_seam_def_init(&seam, sizeof seam);
+            ck_assert_int_eq(mus_pattern_seam(pattern, mus_pattern_edge_seam(pattern, zip), &seam), MUS_OK);
+            ck_assert_int_eq(seam.closure, MUS_CLOSURE_ZIP);
+            ck_assert_double_eq(mus_pattern_edge_length(pattern, seam.edge_a),
+                                mus_pattern_edge_length(pattern, seam.edge_b));
+            ck_assert_double_le(mus_pattern_edge_length(pattern, zip), 0.18 + 1e-9);
+            ck_assert_double_gt(mus_pattern_edge_length(pattern, zip), 0.05);
+        }
+        mus_pattern_destroy(pattern);
+    }
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_closure(void);
 
 
@@ -292,6 +339,7 @@ Suite *mus_suite_closure(void)
     tcase_add_test(tcase, a_shield_lies_below_the_underlap);
     tcase_add_test(tcase, the_word_of_the_closure_says_where);
     tcase_add_test(tcase, a_front_that_buttons_has_buttonholes_and_one_stand);
+    tcase_add_loop_test(tcase, a_zip_behind_goes_on_below_the_waist, 0, 5);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -215,6 +215,32 @@ static void read_seam(mus__arrangement *arrangement, mus__arranged_seam *seam)
 }
 
 
+/* a seam that is divided, by a zip or a notch, places its panels as one that is whole: all parts take the mean step,
+ * weighted by length */
+static void read_parts(mus__arrangement *arrangement, int32_t first)
+{
+    const mus__arranged_seam *one = &arrangement->seam[first];
+    const int32_t p = arrangement->edge[one->a].panel, q = arrangement->edge[one->b].panel;
+    double length = 0.0, step[2] = {0.0, 0.0};
+    for (int32_t pass = 0; pass < 2; pass++)
+        for (int32_t i = first; i < arrangement->nseam; i++) {
+            mus__arranged_seam *seam = &arrangement->seam[i];
+            const int32_t a = arrangement->edge[seam->a].panel, b = arrangement->edge[seam->b].panel;
+            const double sign = a == p && b == q && seam->beside == one->beside    ? 1.0
+                                : a == q && b == p && seam->beside == -one->beside ? -1.0
+                                                                                   : 0.0;
+            if (sign == 0.0) continue;
+            if (pass == 0) length += seam->length;
+            for (int32_t d = 0; d < 2; d++) {
+                if (pass == 0)
+                    step[d] += sign * seam->length * seam->step[d];
+                else
+                    seam->step[d] = sign * step[d] / length;
+            }
+        }
+}
+
+
 mus_status mus__arrange_read(mus__arrangement *arrangement)
 {
     mus_status status = MUS_OK;
@@ -241,6 +267,8 @@ mus_status mus__arrange_read(mus__arrangement *arrangement)
     for (int32_t p = 0; p < arrangement->npanel; p++) read_halter(arrangement, p);
     for (int32_t p = 0; p < arrangement->npanel; p++) read_fan(arrangement, p);
     for (int32_t i = 0; i < arrangement->nseam; i++) read_seam(arrangement, &arrangement->seam[i]);
+    for (int32_t i = 0; i < arrangement->nseam; i++)
+        if (arrangement->seam[i].beside != 0) read_parts(arrangement, i);
     return MUS_OK;
 }
 

@@ -419,9 +419,24 @@ static mus_status around_opening(const mus__arrangement *arrangement, double *le
 }
 
 
-/* whether a ring lies on the shoulders: a sleeve is sewn to it, or two of its edges that both point up are sewn. Where
- * an opening is too small for a waist (`apart`), or with a collar, an edge of another ring counts too if nothing is
- * above */
+/* whether another panel of its ring is sewn above a panel, to an edge that points up: a yoke above a leg */
+static bool around_covered(const mus__arrangement *arrangement, int32_t panel)
+{
+    for (int32_t i = 0; i < arrangement->nseam; i++) {
+        const mus__arranged_edge *a = &arrangement->edge[arrangement->seam[i].a],
+                                 *b = &arrangement->edge[arrangement->seam[i].b];
+        const mus__arranged_edge *own = a->panel == panel ? a : b, *other = own == a ? b : a;
+        if (own->panel != panel || other->panel == panel) continue;
+        if (arrangement->panel[other->panel].ring != arrangement->panel[panel].ring) continue;
+        if (own->outward[1] > MUS__EDGE_UP && other->outward[1] < -MUS__EDGE_UP) return true;
+    }
+    return false;
+}
+
+
+/* whether a ring lies on the shoulders: a sleeve is sewn to it, or two of its edges that both point up are sewn, of
+ * panels that nothing is above (else they are those of a crotch below a yoke, which curves up). Where an opening is too
+ * small for a waist (`apart`), or with a collar, an edge of another ring counts too if nothing is above */
 static bool around_hangs(const mus__arrangement *arrangement, int32_t t, bool apart)
 {
     bool level = false, below = false, neck = false;
@@ -434,7 +449,9 @@ static bool around_hangs(const mus__arrangement *arrangement, int32_t t, bool ap
         if (p->limb != q->limb && p->limb + q->limb == MUS__ARRANGE_TRUNK + MUS__ARRANGE_NECK) neck = true;
         const bool up = a->outward[1] > MUS__EDGE_UP, other = b->outward[1] > MUS__EDGE_UP;
         if (p != q && up && other) {
-            if (p->ring == q->ring && seam->high > -AROUND_SLOPE) return true;
+            if (p->ring == q->ring && seam->high > -AROUND_SLOPE && !around_covered(arrangement, a->panel) &&
+                !around_covered(arrangement, b->panel))
+                return true;
             level = level || (p->ring != q->ring && p->limb == q->limb && seam->high > -2.0 * AROUND_SLOPE);
         }
         if (p->limb == q->limb && (p->ring == t ? up && !other : other && !up)) below = true;

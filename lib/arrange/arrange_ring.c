@@ -15,6 +15,7 @@
     0.3 /* of the largest miss: a seam that misses by a share between this and 1 less this closes a leg                \
          */
 #define RING_CLOSES 0.5 /* of the largest miss: a seam that misses by less does not close the ring */
+#define RING_SWEEPS 200 /* of the even places; each halves what is left, rings have below 20 panels */
 
 
 /* components: panels that hang together by any seam; sets ring->component of each ring */
@@ -71,17 +72,65 @@ static double ring_miss(const mus__arrangement *arrangement, int32_t t, const mu
 }
 
 
+/* whether a wider panel of its ring is sewn to a panel above or below: a yoke and what hangs from it */
+static bool ring_stacked(const mus__arrangement *arrangement, int32_t p)
+{
+    for (int32_t i = 0; i < arrangement->nseam; i++) {
+        const mus__arranged_edge *a = &arrangement->edge[arrangement->seam[i].a],
+                                 *b = &arrangement->edge[arrangement->seam[i].b];
+        const mus__arranged_panel *own = &arrangement->panel[p],
+                                  *other = &arrangement->panel[a->panel == p ? b->panel : a->panel];
+        if ((a->panel != p && b->panel != p) || other->ring != own->ring) continue;
+        if (fmin(a->outward[1], b->outward[1]) > -MUS__EDGE_UP || fmax(a->outward[1], b->outward[1]) < MUS__EDGE_UP)
+            continue;
+        if (other->high[0] - other->low[0] > own->high[0] - own->low[0]) return true;
+    }
+    return false;
+}
+
+
+/*
+ * Where rows of panels above one another close at different girths, a yoke and what hangs from it, the girth is that of
+ * the highest row. The places that the first seams gave would put all of the difference to one side; these share it:
+ * least squares over all seams that join side by side, weighted by length.
+ */
+static void ring_even(mus__arrangement *arrangement, int32_t t, double most)
+{
+    const double girth = arrangement->ring[t].girth;
+    for (int32_t sweep = 0; sweep < RING_SWEEPS; sweep++) {
+        for (int32_t p = 0; p < arrangement->npanel; p++) {
+            double sum = 0.0, weight = 0.0;
+            for (int32_t i = 0; i < arrangement->nseam; i++) {
+                const mus__arranged_seam *seam = &arrangement->seam[i];
+                const mus__arranged_panel *a = &arrangement->panel[arrangement->edge[seam->a].panel],
+                                          *b = &arrangement->panel[arrangement->edge[seam->b].panel],
+                                          *own = &arrangement->panel[p];
+                if (seam->beside == 0 || a == b || a->ring != t || b->ring != t || (a != own && b != own)) continue;
+                const double off = a->u - b->u + seam->step[0], turns = girth * floor(off / girth + 0.5);
+                if (fabs(off - turns) > RING_LEG * most) continue;
+                sum += seam->length * (own == a ? turns - off : off - turns);
+                weight += seam->length;
+            }
+            if (weight > 0.0) arrangement->panel[p].u += sum / weight;
+        }
+    }
+}
+
+
 /* the girth of a ring: the miss of the highest seam that closes it; without one, the width from first to last side */
 static void ring_girth(mus__arrangement *arrangement, int32_t t)
 {
     mus__arranged_ring *ring = &arrangement->ring[t];
     double first = 1e30, last = -1e30, widest = 0.0, sum = 0.0, most = 0.0, high = -1e30;
+    bool rows = false;
     for (int32_t p = 0; p < arrangement->npanel; p++) {
         const mus__arranged_panel *panel = &arrangement->panel[p];
         if (panel->ring != t) continue;
+        const bool stacked = ring_stacked(arrangement, p);
+        rows = rows || stacked;
         first = fmin(first, panel->u + panel->low[0]), last = fmax(last, panel->u + panel->high[0]);
         widest = fmax(widest, panel->high[0] - panel->low[0]);
-        sum += panel->high[0] - panel->low[0];
+        if (!stacked) sum += panel->high[0] - panel->low[0];
     }
     for (int32_t i = 0; i < arrangement->nseam; i++)
         most = fmax(most, ring_miss(arrangement, t, &arrangement->seam[i]));
@@ -96,6 +145,7 @@ static void ring_girth(mus__arrangement *arrangement, int32_t t)
     }
     ring->wide = ring->closed ? fmax(sum, ring->girth) : last - first;
     if (!ring->closed) ring->girth = last - first;
+    if (ring->closed && rows) ring_even(arrangement, t, most);
 }
 
 

@@ -117,12 +117,12 @@ START_TEST(cloth_without_coarser_cuts_makes_no_double)
 END_TEST
 
 
-static const char *const stiff_designs[] = {"tshirt", "jeans", "sheath", "oxford_shirt"};
+static const char *const stiff_designs[] = {"tshirt", "jeans", "sheath", "oxford_shirt", "shirt_mandarin_long"};
 
 
 /* woven cloth in float: its own rounding hides the residual that the def asks for, and it is called at rest all the
- * same. Rest it is: from there the same cloth in double, to that residual, moves by less than half a millimetre, but
- * for two nodes in a thousand, on the edge of a fold */
+ * same. Rest it is: from there the same cloth in double, to that residual, moves by less than 0.2 mm on an average
+ * over its nodes, and a fold of a shirt or a skirt by less than 2 mm */
 START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
 {
     worn w = worn_body("W40");
@@ -153,12 +153,13 @@ START_TEST(stiff_cloth_called_at_rest_in_float_is_at_rest_in_double)
     }
     const double *a = mus_drape_positions(drape[0]), *b = mus_drape_positions(drape[1]);
     const int32_t nodes = mus_drape_node_count(drape[0]);
-    int32_t moved = 0;
+    double mean = 0.0, most = 0.0;
     for (int32_t i = 0; i < nodes; i++) {
         const double way = hypot(hypot(a[3 * i] - b[3 * i], a[3 * i + 1] - b[3 * i + 1]), a[3 * i + 2] - b[3 * i + 2]);
-        moved += way > 5e-4;
+        mean += way / nodes, most = fmax(most, way);
     }
-    ck_assert_int_le(moved, nodes / 500 + 1);
+    ck_assert_msg(mean < 2e-4 && most < 2e-3, "%s: %.3f mm on an average, %.3f at most", stiff_designs[_i], 1e3 * mean,
+                  1e3 * most);
     for (int k = 0; k < 2; k++) mus_drape_destroy(drape[k]);
     worn_end(&w);
 }
@@ -173,7 +174,7 @@ Suite *mus_suite_coarse_drape(void)
     tcase_add_test(tests, coarser_cuts_save_work_and_rest_at_the_same_height);
     tcase_add_test(tests, settle_without_memory_for_its_double_leaves_the_drape_as_it_was);
     tcase_add_test(tests, cloth_without_coarser_cuts_makes_no_double);
-    if (!SUPPORT_SLOW) tcase_add_loop_test(tests, stiff_cloth_called_at_rest_in_float_is_at_rest_in_double, 0, 4);
+    if (!SUPPORT_SLOW) tcase_add_loop_test(tests, stiff_cloth_called_at_rest_in_float_is_at_rest_in_double, 0, 5);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -797,6 +797,7 @@ struct mus_sheet_def {
     const char *person;
     int32_t fold;
     const char *language;
+    const char *notes;
 };
 
 struct mus_sheet_piece {

@@ -2,6 +2,7 @@
  * print.c: muslin print: writes a pattern as PDF, SVG, DXF or HPGL at true scale, ready to cut.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "commands.h"
@@ -10,6 +11,7 @@
 #include "muslin/language.h"
 #include "muslin/print.h"
 #include "print_dxf.h"
+#include "print_notes.h"
 #include "print_sizes.h"
 #include "scene.h"
 
@@ -112,6 +114,21 @@ static int write_dxf(scene *s, const source *from, const mus_sheet *sheet, const
 }
 
 
+/* Are the options of the DXF such that it can be written? Complains when they are not. */
+static bool check_dxf(const print_dxf *dxf, bool fold)
+{
+    if (fold && (dxf->dxf != NULL || dxf->rul != NULL))
+        complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
+    else if (dxf->rul != NULL && dxf->sizes == NULL)
+        complain(EXIT_INPUT, "print", "--rul: needs --sizes LIST, the sizes that the rules are for");
+    else if (print_dxf_dialect(dxf->dialect) == MUS_NONE)
+        complain(EXIT_INPUT, "print", "--dialect %s: expected astm or aama", dxf->dialect);
+    else
+        return true;
+    return false;
+}
+
+
 int command_print(int argc, char **argv)
 {
     source from = {0};
@@ -144,13 +161,7 @@ int command_print(int argc, char **argv)
         return complain(EXIT_INPUT, "print",
                         "no output is given: --pdf FILE, --svg FILE, --dxf FILE, --plt FILE or --instructions FILE");
     const int32_t language = language_read("print", tongue);
-    if (language == MUS_NONE) return EXIT_INPUT;
-    if (fold && (dxf.dxf != NULL || dxf.rul != NULL))
-        return complain(EXIT_INPUT, "print", "--fold: a DXF has whole pieces");
-    if (dxf.rul != NULL && dxf.sizes == NULL)
-        return complain(EXIT_INPUT, "print", "--rul: needs --sizes LIST, the sizes that the rules are for");
-    if (print_dxf_dialect(dxf.dialect) == MUS_NONE)
-        return complain(EXIT_INPUT, "print", "--dialect %s: expected astm or aama", dxf.dialect);
+    if (language == MUS_NONE || !check_dxf(&dxf, fold)) return EXIT_INPUT;
     char first[32];
     if (asked != NULL) paper = asked;
     if (dxf.sizes != NULL) take_first(&from, dxf.sizes, first, sizeof first);
@@ -159,6 +170,7 @@ int command_print(int argc, char **argv)
 
     scene s;
     mus_sheet *sheet = NULL, *nest = NULL;
+    char *notes = NULL;
     json j = {0};
     int code = scene_open(&s, "print");
     if (code == EXIT_DONE && (from.tape != NULL || from.size != NULL || from.row != NULL)) code = scene_tape(&s, &from);
@@ -167,7 +179,9 @@ int command_print(int argc, char **argv)
         mus_sheet_def def;
         char title[TITLE];
         define(&s, &from, find_paper(paper), fold, allowance, language, title, &def);
-        mus_status status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
+        mus_status status = pdf != NULL && dxf.sizes == NULL ? print_notes(&s, &from, language, &notes) : MUS_OK;
+        def.notes = notes;
+        if (status == MUS_OK) status = mus_sheet_create(s.context, s.pattern, &def, &sheet);
         if (status == MUS_OK && dxf.sizes != NULL && (pdf != NULL || svg != NULL))
             code = print_sizes_sheet(&s, &from, dxf.sizes, &def, &nest);
         if (status == MUS_OK && code == EXIT_DONE) status = write_drawn(nest != NULL ? nest : sheet, pdf, svg);
@@ -188,6 +202,7 @@ int command_print(int argc, char **argv)
         print_line("%s: %d page%s of %s", pdf, pages, pages == 1 ? "" : "s", paper);
     }
     json_free(&j);
+    free(notes);
     mus_sheet_destroy(nest);
     mus_sheet_destroy(sheet);
     scene_close(&s);

@@ -37,6 +37,8 @@ typedef struct mus_sheet_def {
                         * Such a sheet is not written as DXF */
     const char *language; /* of what is written on it: a tag such as "de" or "pt_BR" (muslin/language.h); NULL: English;
                            * read during the call. The title is not translated */
+    const char *notes; /* lines of text for the first page of a tiled sheet, as of measures, cloth and notions; an empty
+                        * line parts them; read during the call and not translated; NULL: none */
 } mus_sheet_def;
 
 /** Zero `def`, write the defaults and its size. */
@@ -63,7 +65,8 @@ MUS_API mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, c
 /** Free a sheet. NULL is accepted. */
 MUS_API void mus_sheet_destroy(mus_sheet *sheet);
 
-/** Number of pages of the PDF, with the cover of a tiled sheet whose pages have no room for title and squares. */
+/** Number of pages of the PDF, with the cover of a tiled sheet: one of nine pages and more has one, and one whose pages
+ * have no room for title and squares. */
 MUS_API int32_t mus_sheet_page_count(const mus_sheet *sheet);
 
 /** Number of columns of tiles; 1 when the sheet is one page. */

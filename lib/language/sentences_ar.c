@@ -24,6 +24,7 @@ static const mus__language_row sentences_ar[] = {
     {"facts.person", "لأجل {0}.  {1}"},
     {"head.asked", "المطلوب"},
     {"head.cloth", "القماش"},
+    {"head.drafted", "رُسم وفق هذه القياسات"},
     {"head.error", "الفرق"},
     {"head.made", "الناتج"},
     {"head.measures", "القياس"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_de[] = {
     {"facts.person", "Für {0}.  {1}"},
     {"head.asked", "Soll"},
     {"head.cloth", "Stoff"},
+    {"head.drafted", "Gezeichnet nach diesen Maßen"},
     {"head.error", "Abweichung"},
     {"head.made", "Ist"},
     {"head.measures", "Maß"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_en[] = {
     {"facts.person", "For {0}.  {1}"},
     {"head.asked", "asked"},
     {"head.cloth", "Cloth"},
+    {"head.drafted", "Drafted to these measures"},
     {"head.error", "error"},
     {"head.made", "made"},
     {"head.measures", "measure"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_es[] = {
     {"facts.person", "Para {0}.  {1}"},
     {"head.asked", "pedido"},
     {"head.cloth", "Tela"},
+    {"head.drafted", "Trazado según estas medidas"},
     {"head.error", "error"},
     {"head.made", "obtenido"},
     {"head.measures", "medida"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_fr[] = {
     {"facts.person", "Pour {0}.  {1}"},
     {"head.asked", "demandé"},
     {"head.cloth", "Tissu"},
+    {"head.drafted", "Tracé d’après ces mesures"},
     {"head.error", "écart"},
     {"head.made", "obtenu"},
     {"head.measures", "mesure"},

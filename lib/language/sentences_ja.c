@@ -24,6 +24,7 @@ static const mus__language_row sentences_ja[] = {
     {"facts.person", "{0} 様　{1}"},
     {"head.asked", "指定"},
     {"head.cloth", "布"},
+    {"head.drafted", "製図に使った寸法"},
     {"head.error", "誤差"},
     {"head.made", "実測"},
     {"head.measures", "寸法"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_pt[] = {
     {"facts.person", "Para {0}.  {1}"},
     {"head.asked", "pedido"},
     {"head.cloth", "Tecido"},
+    {"head.drafted", "Traçado segundo estas medidas"},
     {"head.error", "erro"},
     {"head.made", "obtido"},
     {"head.measures", "medida"},

@@ -24,6 +24,7 @@ static const mus__language_row sentences_th[] = {
     {"facts.person", "สำหรับ {0}  {1}"},
     {"head.asked", "ที่ขอ"},
     {"head.cloth", "ผ้า"},
+    {"head.drafted", "ร่างแบบตามขนาดเหล่านี้"},
     {"head.error", "ผลต่าง"},
     {"head.made", "ที่ได้"},
     {"head.measures", "ขนาดตัว"},

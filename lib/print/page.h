@@ -29,6 +29,8 @@ void mus__squares_draw(mus__drawing *out, double x, double y);
 void mus__tile_name(const mus__tile *tile, char *out, size_t size);
 /* draw the frame of a tile, its marks and the names of its neighbours */
 void mus__tile_draw(const mus_sheet *sheet, int32_t tile, mus__drawing *out);
+/* has a tiled sheet so many pages that its cover is a page of its own? */
+bool mus__cover_own(const mus_sheet *sheet);
 /* MUS_ERR_ARG when the margins leave too little paper for the cover, the first page of a tiled sheet */
 mus_status mus__cover_check(const mus_sheet *sheet);
 void mus__cover_size(const mus_sheet *sheet, double *out);
@@ -41,9 +43,11 @@ typedef struct mus__ground {
     const void *user;
 } mus__ground;
 
-/* find places on the pages of a tiled sheet for the test squares (at `corner`, unless NULL) and for title and
- * instructions, between the pieces, else inside one: sets squares, legend, and cover (false when both are found) */
+/* find places on the pages of a tiled sheet of few pages for the test squares (at `corner`, unless NULL) and for title
+ * and instructions, between the pieces, else inside one: sets squares, legend, and cover (false when both are found) */
 void mus__legend_place(mus_sheet *sheet, const mus__ground *ground, const double *corner);
+/* find a place that holds notes and list of pieces too, which sets `full`, and make the page of the legend the first */
+void mus__legend_fill(mus_sheet *sheet, const mus__ground *ground);
 /* draw title and instructions on the sheet, at `legend` */
 void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out);
 

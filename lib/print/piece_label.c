@@ -182,19 +182,6 @@ static void label_allowance(const mus_sheet *sheet, const mus_pattern *pattern, 
 }
 
 
-static void label_sizes(const mus_sheet *sheet, char *out, size_t size)
-{
-    char names[LABEL_BYTES] = "";
-    size_t at = 0;
-    mus__phrase phrase = mus__phrase_in(sheet->language);
-    for (int32_t k = 0; k < sheet->nsize && at < sizeof names; k++)
-        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s",
-                               k > 0 ? mus_language_text(sheet->language, "list.comma") : "", sheet->sizes[k]);
-    mus__phrase_text(&phrase, 0, names);
-    mus__phrase_write(&phrase, "paper.sizes", out, size);
-}
-
-
 static void label_fill(const mus_sheet *sheet, const mus_pattern *pattern, int32_t index, label_block *block)
 {
     const mus__piece *piece = &sheet->pieces[index];
@@ -207,7 +194,7 @@ static void label_fill(const mus_sheet *sheet, const mus_pattern *pattern, int32
     mus__phrase_number(&phrase, 1, sheet->npiece / sheet->nsize);
     mus__phrase_write(&phrase, "paper.piece", label_add(block, 0.0045, false)->text, LABEL_BYTES);
     mus__piece_cut_text(piece, sheet->language, label_add(block, 0.0055, true)->text, LABEL_BYTES);
-    if (sheet->nsize > 1) label_sizes(sheet, label_add(block, 0.0045, false)->text, LABEL_BYTES);
+    if (sheet->nsize > 1) mus__sheet_sizes(sheet, label_add(block, 0.0045, false)->text, LABEL_BYTES);
     if (sheet->person != NULL) {
         char person[128];
         snprintf(person, sizeof person, "%.120s", sheet->person);

@@ -109,7 +109,8 @@ static mus_status sheet_names(mus_sheet *sheet, const mus_pattern *pattern)
 static mus_status sheet_lettering(mus_sheet *sheet, const mus_pattern *pattern)
 {
     bool strokes = sheet->language == MUS_LANGUAGE_ENGLISH && mus__text_has_strokes(sheet->title) &&
-                   (sheet->person == NULL || mus__text_has_strokes(sheet->person));
+                   (sheet->person == NULL || mus__text_has_strokes(sheet->person)) &&
+                   (sheet->notes == NULL || mus__text_has_strokes(sheet->notes));
     for (int32_t i = 0; i < sheet->npiece && strokes; i++) strokes = mus__text_has_strokes(sheet->names[i]);
     for (int32_t i = 0; i < sheet->nsize && strokes; i++) strokes = mus__text_has_strokes(sheet->sizes[i]);
     for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && strokes; i++)
@@ -275,6 +276,7 @@ static mus_status sheet_legend(mus_sheet *sheet, const mus__drawing *lines)
     for (int32_t i = 0; i < sheet->npiece; i++) n += mus__piece_runs(&sheet->pieces[i], view.runs + 4 * n);
     const mus__ground ground = {sheet_taken, sheet_held, &view};
     mus__legend_place(sheet, &ground, sheet->packed ? sheet->squares : NULL);
+    mus__legend_fill(sheet, &ground);
     mus__print_free(sheet->context, view.runs);
     return MUS_OK;
 }
@@ -360,10 +362,13 @@ static mus_status sheet_build(mus_sheet *sheet, const mus_pattern *const *patter
     sheet->title = sheet_text(context, title);
     sheet->sizes = mus__print_new(context, sheet->nsize, sizeof *sheet->sizes);
     if (sheet->def.person != NULL) sheet->person = sheet_text(context, sheet->def.person);
-    if (sheet->title == NULL || sheet->sizes == NULL || (sheet->def.person != NULL && sheet->person == NULL))
+    if (sheet->def.notes != NULL) sheet->notes = sheet_text(context, sheet->def.notes);
+    if (sheet->title == NULL || sheet->sizes == NULL || (sheet->def.person != NULL && sheet->person == NULL) ||
+        (sheet->def.notes != NULL && sheet->notes == NULL))
         return mus__print_memory(context, "the title of a sheet");
     sheet->def.title = sheet->title;
     sheet->def.person = sheet->person;
+    sheet->def.notes = sheet->notes;
     for (int32_t k = 0; k < sheet->nsize && names != NULL; k++)
         snprintf(sheet->sizes[k], sizeof *sheet->sizes, "%s", names[k]);
 
@@ -472,6 +477,7 @@ void mus_sheet_destroy(mus_sheet *sheet)
     mus__print_free(context, sheet->tiles);
     mus__print_free(context, sheet->title);
     mus__print_free(context, sheet->person);
+    mus__print_free(context, sheet->notes);
     mus__print_free(context, sheet);
 }
 

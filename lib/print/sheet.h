@@ -26,6 +26,7 @@ struct mus_sheet {
     struct mus__lettering *lettering; /* fonts for what is not drawn in strokes, or NULL */
     char *title;
     char *person;
+    char *notes;        /* lines of the cover that the caller gave, or NULL */
     int32_t nsize;      /* sizes of the pattern that lie on each other */
     char (*sizes)[MUS__SIZE_NAME]; /* (nsize) their names */
     int32_t npiece;     /* pieces of all sizes */
@@ -37,12 +38,13 @@ struct mus_sheet {
     double extent[2];
     bool tiled;         /* several pages that are joined */
     bool cover;         /* the first page has title, squares and instructions; else they stand on the sheet */
+    bool full;          /* the legend has notes and the list of pieces too */
     bool packed;        /* the test squares were packed as a piece */
     double squares[2];  /* low corner of the test squares [m], without a cover */
     double legend[4];   /* low x, low y, high x, high y of title and instructions [m], tiled without a cover */
     double page[2];     /* width and height of a page [m] */
     int32_t columns, rows, ntile;
-    mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones */
+    mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones; that of the legend is the first */
     mus__drawing drawing; /* lines of all pieces */
 };
 
@@ -52,6 +54,8 @@ mus_status mus__sheet_layout(mus_sheet *sheet);
 void mus__tile_window(const mus_sheet *sheet, const mus__tile *tile, double *box);
 /* write the name of a piece in words; of a mirrored one without its side, except in English */
 void mus__sheet_piece_words(const mus_sheet *sheet, int32_t index, char *out, size_t size);
+/* write the names of the sizes, as "Sizes W36, W38" */
+void mus__sheet_sizes(const mus_sheet *sheet, char *out, size_t size);
 /* begin a drawing of the sheet: with its language and letters */
 void mus__sheet_draw_init(const mus_sheet *sheet, mus__drawing *drawing);
 int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row);

@@ -400,10 +400,10 @@ static void layout_compare(mus_sheet *sheet, search *s)
     if (s->status == MUS_OK) s->status = layout_pages(sheet, s, l, best->ntile > 0 ? most + 2 : TILES_MAX);
     if (s->status != MUS_OK) return;
     l->ntile = sheet->ntile;
-    l->cover = false;
+    l->cover = sheet->tiled && mus__cover_own(sheet);
     l->reach = fmax(sheet->extent[0], sheet->extent[1]);
-    if (best->ntile > 0 && !layout_before(l, best, l->ntile)) return;
-    if (sheet->tiled) {
+    if (best->ntile > 0 && !layout_before(l, best, l->ntile + l->cover)) return;
+    if (sheet->tiled && !l->cover) {
         const layout_view view = {sheet, s, l};
         double corner[2];
         if (l->squares) layout_corner(sheet, s, l, s->n, corner);

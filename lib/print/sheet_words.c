@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "muslin/language.h"
+#include "print/phrase.h"
 #include "print/sheet.h"
+
+#define SIZES_TEXT 256 /* [bytes] of the names of all sizes; longer ones are cut; chosen */
 
 
 void mus__sheet_draw_init(const mus_sheet *sheet, mus__drawing *drawing)
@@ -27,4 +30,17 @@ void mus__sheet_piece_words(const mus_sheet *sheet, int32_t index, char *out, si
         else at++;
     }
     mus_language_compose(sheet->language, "panel", name, out, size);
+}
+
+
+void mus__sheet_sizes(const mus_sheet *sheet, char *out, size_t size)
+{
+    char names[SIZES_TEXT] = "";
+    size_t at = 0;
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    for (int32_t k = 0; k < sheet->nsize && at < sizeof names; k++)
+        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s",
+                               k > 0 ? mus_language_text(sheet->language, "list.comma") : "", sheet->sizes[k]);
+    mus__phrase_text(&phrase, 0, names);
+    mus__phrase_write(&phrase, "paper.sizes", out, size);
 }

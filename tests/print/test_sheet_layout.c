@@ -214,11 +214,15 @@ START_TEST(title_and_squares_lie_in_a_piece_that_leaves_no_other_place)
 END_TEST
 
 
-START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
+START_TEST(title_and_squares_lie_on_a_free_place_of_the_first_page)
 {
-    def.fold = 1;
-    make(pattern);
-    if (sheet->cover) return;
+    /* a slanting strip over a few pages leaves room beside it */
+    const double xy[] = {0, 0, 0.05, 0, 0.35, 0.7, 0.3, 0.7};
+    mus_pattern *strip = sample_polygon(context, 4, xy);
+    def.notes = "Cloth\n- one\n\nNotions\n- two";
+    make(strip);
+    ck_assert(!sheet->cover);
+    ck_assert(sheet->full);
     const double *at = sheet->squares;
     const double boxes[2][4] = {{at[0], at[1], at[0] + MUS__SQUARES, at[1] + MUS__SQUARES},
                                 {sheet->legend[0], sheet->legend[1], sheet->legend[2], sheet->legend[3]}};
@@ -233,9 +237,30 @@ START_TEST(title_and_squares_lie_on_a_free_place_of_a_page)
         }
         ck_assert_int_eq(pages, 1);
     }
+    double first[4];
+    mus__tile_window(sheet, &sheet->tiles[0], first);
+    ck_assert(boxes[1][0] > first[0] && boxes[1][1] > first[1] && boxes[1][2] < first[2] && boxes[1][3] < first[3]);
     ck_assert(boxes[0][0] > boxes[1][2] || boxes[1][0] > boxes[0][2] || boxes[0][1] > boxes[1][3] ||
               boxes[1][1] > boxes[0][3]);
     ck_assert_int_eq(mus_sheet_page_count(sheet), sheet->ntile);
+    mus_pattern_destroy(strip);
+}
+END_TEST
+
+
+START_TEST(nine_pages_have_a_cover_of_their_own)
+{
+    /* the cloth of nine pages whose middle one is blank: with a line there it has all nine, and a cover */
+    const double xy[] = {0, 0, 0.54, 0, 0.54, 0.80, 0, 0.80}, line[] = {0.25, 0.4, 0.29, 0.4};
+    for (int32_t k = 0; k < 2; k++) {
+        mus_pattern *cloth = sample_polygon(context, 4, xy);
+        if (k == 1) ck_assert_int_eq(mus_pattern_add_mark(cloth, 0, "line", 2, line, NULL), MUS_OK);
+        make(cloth);
+        ck_assert_int_eq(sheet->ntile, 8 + k);
+        ck_assert_int_eq(sheet->cover, k);
+        ck_assert_int_eq(mus_sheet_page_count(sheet), sheet->ntile + k);
+        mus_pattern_destroy(cloth);
+    }
 }
 END_TEST
 
@@ -427,7 +452,8 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, neighbours_overlap_by_what_was_asked);
     tcase_add_test(test, half_diamonds_meet_the_whole_ones_of_the_neighbour);
     tcase_add_test(test, frame_on_frame_two_half_diamonds_make_a_whole);
-    tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_a_page);
+    tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_the_first_page);
+    tcase_add_test(test, nine_pages_have_a_cover_of_their_own);
     tcase_add_test(test, pages_without_cloth_are_left_out);
     tcase_add_test(test, a_page_without_a_line_of_its_own_is_left_out);
     tcase_add_test(test, the_head_of_an_arrow_alone_needs_no_page);

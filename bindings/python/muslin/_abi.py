@@ -651,7 +651,7 @@ mus_worn._fields_ = [("size", c_size_t), ("kind", c_int32), ("limb", c_int32), (
                      ("through_area", c_double), ("through_place", c_double * 3), ("text", c_char * 256)]
 mus_sheet_def._fields_ = [("size", c_size_t), ("paper", c_int32), ("allowance", c_double), ("margin", c_double),
                           ("overlap", c_double), ("title", c_char_p), ("person", c_char_p), ("fold", c_int32),
-                          ("language", c_char_p)]
+                          ("language", c_char_p), ("notes", c_char_p)]
 mus_sheet_piece._fields_ = [("size", c_size_t), ("panel", c_int32), ("name", c_char_p), ("copies", c_int32),
                             ("mirrored", c_int32), ("fold", c_int32), ("turn", c_double * 4), ("shift", c_double * 2),
                             ("box", c_double * 4), ("size_index", c_int32), ("materials", c_int32 * 8)]

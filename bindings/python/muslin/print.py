@@ -18,7 +18,7 @@ _PAPERS = {name[len("MUS_PAPER_"):].lower(): value for name, value in vars(_abi)
 
 class Sheet(Object):
     """The pieces of a pattern laid out. paper: "a4", "letter", "a3", "a0" or "roll"; options: allowance, margin,
-    overlap, title, person, fold, language (mus_sheet_def)."""
+    overlap, title, person, fold, language, notes (mus_sheet_def)."""
 
     _kind = "sheet"
 

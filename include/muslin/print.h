@@ -65,7 +65,7 @@ MUS_API mus_status mus_sheet_create_sizes(mus_context *context, int32_t count, c
 /** Free a sheet. NULL is accepted. */
 MUS_API void mus_sheet_destroy(mus_sheet *sheet);
 
-/** Number of pages of the PDF, with the cover of a tiled sheet: one of nine pages and more has one, and one whose pages
+/** Number of pages of the PDF, with the cover of a tiled sheet: one of ten pages and more has one, and one whose pages
  * have no room for title and squares. */
 MUS_API int32_t mus_sheet_page_count(const mus_sheet *sheet);
 

@@ -30,9 +30,9 @@
 #define LEGEND_LINES 64      /* most lines of text; chosen: twice those of the richest legend in the longest language */
 #define LEGEND_STEP_TEXT 1024 /* [bytes] of a step; chosen: letters of three bytes in the longest, twice over */
 
-/* pages of pieces from which on the cover is a page of its own: chosen, so that it is a tenth of all pages at most, and
- * a small garment takes the pages that its pieces take */
-#define COVER_FROM 9
+/* pages of pieces from which on the cover is a page of its own: chosen, so that it adds a tenth to them at most, and a
+ * small garment takes the pages that its pieces take */
+#define COVER_FROM 10
 
 /* how to print and join the pages, what the lines are, and the buttonholes of a sheet that has some */
 static const char *const cover_steps[] = {"paper.step.1", "paper.step.2", "paper.step.3", "paper.step.4",

@@ -248,15 +248,16 @@ START_TEST(title_and_squares_lie_on_a_free_place_of_the_first_page)
 END_TEST
 
 
-START_TEST(nine_pages_have_a_cover_of_their_own)
+START_TEST(ten_pages_have_a_cover_of_their_own)
 {
-    /* the cloth of nine pages whose middle one is blank: with a line there it has all nine, and a cover */
-    const double xy[] = {0, 0, 0.54, 0, 0.54, 0.80, 0, 0.80}, line[] = {0.25, 0.4, 0.29, 0.4};
+    /* cloths of nine pages and of twelve, whose middle ones are blank: with a line on each of these they have all */
     for (int32_t k = 0; k < 2; k++) {
+        const double high = k == 0 ? 0.80 : 1.07, xy[] = {0, 0, 0.54, 0, 0.54, high, 0, high};
+        const double line[] = {0.27, 0.2, 0.27, high - 0.2};
         mus_pattern *cloth = sample_polygon(context, 4, xy);
-        if (k == 1) ck_assert_int_eq(mus_pattern_add_mark(cloth, 0, "line", 2, line, NULL), MUS_OK);
+        ck_assert_int_eq(mus_pattern_add_mark(cloth, 0, "line", 2, line, NULL), MUS_OK);
         make(cloth);
-        ck_assert_int_eq(sheet->ntile, 8 + k);
+        ck_assert_int_eq(sheet->ntile, k == 0 ? 9 : 12);
         ck_assert_int_eq(sheet->cover, k);
         ck_assert_int_eq(mus_sheet_page_count(sheet), sheet->ntile + k);
         mus_pattern_destroy(cloth);
@@ -453,7 +454,7 @@ Suite *mus_suite_sheet_layout(void)
     tcase_add_test(test, half_diamonds_meet_the_whole_ones_of_the_neighbour);
     tcase_add_test(test, frame_on_frame_two_half_diamonds_make_a_whole);
     tcase_add_test(test, title_and_squares_lie_on_a_free_place_of_the_first_page);
-    tcase_add_test(test, nine_pages_have_a_cover_of_their_own);
+    tcase_add_test(test, ten_pages_have_a_cover_of_their_own);
     tcase_add_test(test, pages_without_cloth_are_left_out);
     tcase_add_test(test, a_page_without_a_line_of_its_own_is_left_out);
     tcase_add_test(test, the_head_of_an_arrow_alone_needs_no_page);

@@ -24,6 +24,7 @@ typedef struct mus__cut_strip {
     const char *name, *label;
     double length, width;
     double turned;    /* allowance of its upper long edge, the inner layer of a folded strip; 0: that of a seam */
+    bool halved;      /* folded along its middle, where no allowance is turned */
     bool lengthwise;  /* grain along the length, else across */
     int32_t material; /* MUS_MATERIAL_* */
     int32_t count;

@@ -4,6 +4,19 @@
 #include "finish/cut_only.h"
 
 
+/* marks the line that a strip is folded along: its upper edge, or its middle, whose middle third is left to the label.
+ * Each half has a mark of its own, so that the half that is printed on the fold of the cloth has its word */
+static void strip_fold(mus__cut_only *job, const mus__cut_strip *strip, int32_t panel)
+{
+    const double x = 0.5 * strip->length, y = strip->halved ? 0.5 * strip->width : strip->width;
+    const double within = strip->halved ? x / 3.0 : 0.0;
+    if (!strip->halved && !(strip->turned > 0.0)) return;
+    for (int32_t i = 0; i < 2 && job->status == MUS_OK; i++) {
+        const double sign = i == 0 ? -1.0 : 1.0, half[4] = {sign * x, y, sign * within, y};
+        job->status = mus_pattern_add_mark(job->made, panel, "fold", 2, half, NULL);
+    }
+}
+
 
 void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
 {
@@ -35,11 +48,7 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
     for (int32_t i = 0; i < strip->nnotch && job->status == MUS_OK; i++)
         job->status = mus_pattern_add_notch(job->made, edge[0], strip->notch[i] * strip->length, MUS_NOTCH_SINGLE,
                                             NULL);
-    /* a mark for each half, so that the half that is printed on the fold of the cloth has its word */
-    for (int32_t i = 0; i < 2 && strip->turned > 0.0 && job->status == MUS_OK; i++) {
-        const double half[2][2] = {{i == 0 ? -x : x, strip->width}, {0.0, strip->width}};
-        job->status = mus_pattern_add_mark(job->made, panel, "fold", 2, half[0], NULL);
-    }
+    strip_fold(job, strip, panel);
     if (job->status == MUS_OK && strip->interfacing > 0)
         job->status = mus_pattern_set_material(job->made, panel, MUS_MATERIAL_INTERFACING, strip->interfacing);
 }

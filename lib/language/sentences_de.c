@@ -131,6 +131,7 @@ static const mus__language_row sentences_de[] = {
      "Kante einfassen – {0}: {1}, insgesamt {2}. {3}, {4} lang, zum Ring schließen, falten und gedehnt annähen."},
     {"step.fly", "Teile des Hosenschlitzes an die Schlitzkanten nähen: {0}."},
     {"step.fuse", "Einlage aufbügeln: {0}."},
+    {"step.fuse_line", "{1} aufbügeln, auf die linke Seite: {0}; die Linien „{2}“ liegen aufeinander."},
     {"step.hem", "Kante säumen – {0}: {1}, insgesamt {2}. {3} nach innen umschlagen und feststeppen."},
     {"step.hem_elastic",
      "Kante säumen – {0}: {1}, insgesamt {2}. {3} nach innen umschlagen und feststeppen, dabei eine Öffnung lassen; "

@@ -130,6 +130,7 @@ static const mus__language_row sentences_en[] = {
      "Finish the {0} of {1}, {2} in all, with: {3}, {4} long, closed to a ring, folded and stretched."},
     {"step.fly", "Sew the parts of the fly to the edges of its opening: {0}."},
     {"step.fuse", "Fuse the interfacing to: {0}."},
+    {"step.fuse_line", "Fuse the {1} to the wrong side of: {0}, the lines \"{2}\" on each other."},
     {"step.hem", "Finish the {0} of {1}, {2} in all: turn {3} to the wrong side and stitch."},
     {"step.hem_elastic",
      "Finish the {0} of {1}, {2} in all: turn {3} to the wrong side and stitch, with a gap; draw the elastic in and "

@@ -133,6 +133,7 @@ static const mus__language_row sentences_es[] = {
      "Rematar el borde ({0}: {1}, {2} en total) con: {3}, {4} de largo. Cerrar en anillo, doblar y coser estirando."},
     {"step.fly", "Coser las piezas de la bragueta a los bordes de la abertura: {0}."},
     {"step.fuse", "Pegar la entretela con la plancha en: {0}."},
+    {"step.fuse_line", "Pegar {1} con la plancha en el revés de: {0}, con las líneas «{2}» una sobre otra."},
     {"step.hem", "Rematar el borde ({0}: {1}, {2} en total): doblar {3} hacia el revés y pespuntear."},
     {"step.hem_elastic",
      "Rematar el borde ({0}: {1}, {2} en total): doblar {3} hacia el revés y pespuntear dejando una abertura; pasar "

@@ -135,6 +135,7 @@ static const mus__language_row sentences_fr[] = {
      "étirant."},
     {"step.fly", "Coudre les pièces de la braguette aux bords de l’ouverture : {0}."},
     {"step.fuse", "Thermocoller l’entoilage sur : {0}."},
+    {"step.fuse_line", "Thermocoller {1} sur l’envers de : {0}, les lignes « {2} » l’une sur l’autre."},
     {"step.hem", "Finir le bord ({0} : {1}, {2} en tout) : replier {3} sur l’envers et piquer."},
     {"step.hem_elastic",
      "Finir le bord ({0} : {1}, {2} en tout) : replier {3} sur l’envers et piquer en laissant une ouverture ; "

@@ -134,6 +134,7 @@ static const mus__language_row sentences_pt[] = {
      "costurar esticando."},
     {"step.fly", "Costurar as partes da braguilha nas bordas da abertura: {0}."},
     {"step.fuse", "Colar a entretela a ferro em: {0}."},
+    {"step.fuse_line", "Colar {1} a ferro no avesso de: {0}, com as linhas “{2}” uma sobre a outra."},
     {"step.hem", "Arrematar a borda ({0}: {1}, {2} no total): virar {3} para o avesso e pespontar."},
     {"step.hem_elastic",
      "Arrematar a borda ({0}: {1}, {2} no total): virar {3} para o avesso e pespontar deixando uma abertura; passar "

@@ -244,6 +244,34 @@ static void tell_patches(mus__instructions *job)
 }
 
 
+/* is a panel that is not draped the interfacing of the panels on which its place is a line of that name? */
+static bool fuses(const mus__instructions *job, int32_t extra)
+{
+    int32_t k = 0;
+    while (k < mus_pattern_panel_count(job->pattern) && !mus__tell_has_mark(job->pattern, k, "interfacing")) k++;
+    return k < mus_pattern_panel_count(job->pattern) &&
+           mus__tell_copies(job->extra, extra, MUS_MATERIAL_INTERFACING) > 0 &&
+           mus__tell_copies(job->extra, extra, MUS_MATERIAL_MAIN) == 0 && mus__tell_has_mark(job->extra, extra, "fold");
+}
+
+
+/* interfacing that is a panel of its own, and the panels that it is fused to: fold line on fold line */
+static void tell_fused(mus__instructions *job)
+{
+    char words[MUS__PLAIN], told[MUS__PLAIN];
+    for (int32_t k = 0; k < mus_pattern_panel_count(job->extra); k++) {
+        if (!fuses(job, k)) continue;
+        for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
+            if (mus__tell_has_mark(job->pattern, i, "interfacing")) mus__list_add(job, job->pattern, i);
+        mus__plain_words(mus_pattern_panel_name(job->extra, k), true, words);
+        mus__phrase phrase = mus__phrase_in(job->language);
+        mus__phrase_text(&phrase, 1, mus__tell_words(job, "panel", words, told));
+        mus__phrase_text(&phrase, 2, mus_language_text(job->language, "mark.fold"));
+        mus__list_step(job, &phrase, "step.fuse_line");
+    }
+}
+
+
 static void tell_preparation(mus__instructions *job)
 {
     const int32_t panels = mus_pattern_panel_count(job->pattern), extras = mus_pattern_panel_count(job->extra);
@@ -252,8 +280,10 @@ static void tell_preparation(mus__instructions *job)
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_copies(job->pattern, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->pattern, i);
     for (int32_t i = 0; i < extras; i++)
-        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->extra, i);
+        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_INTERFACING) > 0 && !fuses(job, i))
+            mus__list_add(job, job->extra, i);
     mus__list_step(job, &phrase, "step.fuse");
+    tell_fused(job);
 
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);

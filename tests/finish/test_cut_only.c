@@ -80,6 +80,38 @@ static double length_of(const mus_pattern *pattern, int32_t panel, const char *l
 }
 
 
+/* strips that are folded along their middle have the line at both ends: the stand of buttons and a placket */
+START_TEST(a_strip_that_is_halved_is_marked_along_its_middle)
+{
+    static const char *const names[] = {"button_stand", "sleeve_placket"};
+    mus_context *context = support_context();
+    mus_pattern *pattern = drafts_pattern(context, "oxford_shirt", "W40");
+    const mus_pattern *made = mus_pattern_cut_only(pattern);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const int32_t strip = mus_pattern_find_panel(made, names[i]);
+        const double high = 0.5 * length_of(made, strip, "end"), wide = length_of(made, strip, "low");
+        int32_t count = 0;
+        for (int32_t m = 0; m < mus_pattern_mark_count(made); m++) {
+            int32_t panel, n;
+            const char *name;
+            const double *xy;
+            ck_assert_int_eq(mus_pattern_mark(made, m, &panel, &name, &n, &xy), MUS_OK);
+            if (panel != strip) continue;
+            ck_assert_str_eq(name, "fold");
+            ck_assert_int_eq(n, 2);
+            ck_assert_double_eq_tol(xy[1], 0.5 * high, 1e-9);
+            ck_assert_double_eq_tol(xy[3], 0.5 * high, 1e-9);
+            ck_assert_double_eq_tol(fabs(xy[2] - xy[0]), wide / 3.0, 1e-9);
+            count++;
+        }
+        ck_assert_int_eq(count, 2);
+    }
+    mus_pattern_destroy(pattern);
+    support_context_end(context);
+}
+END_TEST
+
+
 /* a facing has the edges that it is sewn to, darts closed: the same lengths; it is 5 cm wide, its ends as much longer
  * as they lean, its area a strip's */
 START_TEST(a_facing_has_the_edge_that_it_faces)
@@ -417,6 +449,7 @@ Suite *mus_suite_cut_only(void)
     tcase_set_timeout(tcase, 120);
     tcase_add_test(tcase, the_words_choose_the_pieces);
     tcase_add_test(tcase, a_woven_casing_passes_the_hip);
+    tcase_add_test(tcase, a_strip_that_is_halved_is_marked_along_its_middle);
     tcase_add_test(tcase, a_facing_has_the_edge_that_it_faces);
     tcase_add_test(tcase, no_corner_is_inside_the_inner_edge_of_a_facing);
     tcase_add_test(tcase, what_is_sewn_on_has_the_notches_of_its_edge);

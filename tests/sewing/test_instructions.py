@@ -106,6 +106,8 @@ def test_what_laps_is_told_and_its_buttons_are_counted(tmp_path):
     assert "The underlap of cuff reaches 25 mm beyond" in shirt
     # 45 mm beyond the centre, folded 17.5 mm from it
     assert 'Fold 27.5 mm at the centre to the wrong side, along the line "fold", and stitch: front.' in shirt
+    assert 'Fuse the button stand to the wrong side of: front, the lines "fold" on each other.' in shirt
+    assert "button stand" not in re.search(r"Fuse the interfacing to: (.*)\.", shirt)[1]
     front = int(re.search(r"at the centre, .*?, (\d+) buttons", shirt)[1])
     assert f"- {front + 3} buttons\n" in shirt  # both cuffs, and the stand of the collar
     layers = re.search(r"Second layers, or linings: (.*?)\.", shirt)[1]

@@ -97,9 +97,9 @@ typedef struct mus__caption {
     mus__text_style style;
 } mus__caption;
 
-/* compute the caption of a mark; false when the mark is not on the piece, or is a point on a line, whose caption names
- * both: "buttonhole, button" */
-bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
-                       mus__caption *out);
+/* compute the caption of a mark, clear of the lines of the piece where there is a place beside the mark; false when the
+ * mark is not on the piece, or is a point on a line, whose caption names both: "buttonhole, button" */
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, const struct mus__lettering *lettering,
+                       int32_t language, int32_t mark, mus__caption *out);
 
 #endif

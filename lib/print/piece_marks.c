@@ -11,7 +11,7 @@
 
 #include "muslin/language.h"
 #include "drawing/lettering.h"
-#include "print/piece.h"
+#include "print/sheet.h"
 
 #define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */
 #define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
@@ -24,6 +24,8 @@
 #define CAPTION 0.0025
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
+#define CAPTION_PAD 0.001 /* [m] distance of letters from lines that they would cross; chosen: they do not touch them */
+#define CAPTION_STEP 0.002 /* [m] distance of the places that are tried along a mark; chosen: finer ones help no more */
 #define CAPTION_SAME 1e-6 /* [m] a point this near to a line lies on it; chosen: above rounding */
 #define FOLD_CLEAR 0.001 /* [m] distance of the words from a line that is folded; chosen: they do not touch it */
 #define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
@@ -304,9 +306,78 @@ static bool caption_names(const mus_pattern *pattern, int32_t language, int32_t 
 }
 
 
+/* a caption as a box in its own frame: half as wide [m], its middle at x and y, u along its base line */
+typedef struct caption_box {
+    const mus__piece *piece;
+    double x, y, half, u[2];
+} caption_box;
+
+
+/* does a segment of the sheet meet the box? */
+static bool caption_meets(const caption_box *box, const double *a, const double *b)
+{
+    const double wall[4] = {-box->half - CAPTION_PAD, -CAPTION_PAD, box->half + CAPTION_PAD, CAPTION + CAPTION_PAD};
+    double p[2][2];
+    for (int32_t i = 0; i < 2; i++) {
+        const double x = (i == 0 ? a : b)[0] - box->x, y = (i == 0 ? a : b)[1] - box->y;
+        p[i][0] = x * box->u[0] + y * box->u[1];
+        p[i][1] = y * box->u[0] - x * box->u[1];
+    }
+    return mus__segment_meets(p[0], p[1], wall);
+}
+
+
+/* does the box keep clear of cut line, sew line, darts and marks? */
+static bool caption_clear(const mus_pattern *pattern, const caption_box *box)
+{
+    const mus__piece *piece = box->piece;
+    for (int32_t i = 0; i < piece->nflat; i++)
+        if (caption_meets(box, piece->flat + 2 * i, piece->flat + 2 * ((i + 1) % piece->nflat))) return false;
+    for (int32_t l = 0; l < piece->cut.nloop; l++)
+        for (int32_t k = piece->cut.start[l], end = piece->cut.start[l + 1]; k < end; k++)
+            if (caption_meets(box, piece->cut.xy + 2 * k,
+                              piece->cut.xy + 2 * (k + 1 < end ? k + 1 : piece->cut.start[l])))
+                return false;
+    for (int32_t i = 0; i < piece->ndart; i++)
+        if (caption_meets(box, piece->darts + 8 * i + 2, piece->darts + 8 * i + 6)) return false;
+    for (int32_t i = 0; i < mus_pattern_mark_count(pattern); i++) {
+        int32_t panel, n;
+        const double *xy;
+        double a[2], b[2];
+        if (mus_pattern_mark(pattern, i, &panel, NULL, &n, &xy) != MUS_OK || panel != piece->panel) continue;
+        for (int32_t k = 0; k + 1 < n; k++) {
+            mus__piece_point(piece, xy + 2 * k, a);
+            mus__piece_point(piece, xy + 2 * k + 2, b);
+            if (caption_meets(box, a, b)) return false;
+        }
+    }
+    return true;
+}
+
+
+/* move a caption that lines run through along its mark of the length d [m], on the one or the other side of it, no
+ * farther than past its end: to the nearest place that is clear; without one it stays */
+static void caption_move(const mus_pattern *pattern, const mus__piece *piece, const mus__lettering *lettering, double d,
+                         mus__caption *out)
+{
+    const double c = out->style.cosine, s = out->style.sine, half = 0.5 * CAPTION;
+    const double wide = half * mus__lettering_width(lettering, out->text, false);
+    const double most = 0.5 * d + wide + CAPTION_CLEAR;
+    for (int32_t i = 0; CAPTION_STEP * (i / 4) <= most; i++) {
+        const double along = (i % 2 == 0 ? 1.0 : -1.0) * CAPTION_STEP * (i / 4);
+        const double across = i % 4 < 2 ? 0.0 : -(2.0 * CAPTION_CLEAR + CAPTION);
+        const caption_box box = {piece, out->x + along * c - across * s, out->y + along * s + across * c, wide, {c, s}};
+        if (!caption_clear(pattern, &box)) continue;
+        out->x = box.x;
+        out->y = box.y;
+        return;
+    }
+}
+
+
 /* the text runs along the mark from its first to its last point, readable from below or from the right */
-bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int32_t language, int32_t mark,
-                       mus__caption *out)
+bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, const mus__lettering *lettering,
+                       int32_t language, int32_t mark, mus__caption *out)
 {
     int32_t panel, n;
     const double *xy;
@@ -326,7 +397,9 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, int3
     out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
     out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
     const double at[2] = {out->x, out->y};
-    return !piece->fold || marks_inward(piece, at) > 0.0;
+    if (piece->fold && !(marks_inward(piece, at) > 0.0)) return false;
+    caption_move(pattern, piece, lettering, d, out);
+    return true;
 }
 
 
@@ -443,7 +516,8 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             marks_segment(out, piece, first, p, &open);
         }
         mus__caption caption;
-        if (piece->follower || !mus__mark_caption(pattern, piece, out->language, i, &caption)) continue;
+        if (piece->follower || !mus__mark_caption(pattern, piece, out->lettering, out->language, i, &caption))
+            continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
         mus__draw_text(out, caption.text, caption.x, caption.y, &caption.style);
     }

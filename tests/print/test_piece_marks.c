@@ -193,6 +193,46 @@ START_TEST(labels_stand_inside_the_seam_line_clear_of_grain_and_marks)
 END_TEST
 
 
+/* the names of two lines that end in the right side of a square, and beside a line: on the second the name stays at its
+ * middle; on the others it moves along them, or to their other side, until no line runs through it */
+START_TEST(the_name_of_a_mark_keeps_clear_of_lines)
+{
+    const double xy[] = {0, 0, 0.3, 0, 0.3, 0.2, 0, 0.2};
+    const double marks[3][4] = {{0.28, 0.15, 0.303, 0.15}, {0.1, 0.1, 0.13, 0.1}, {0.1, 0.05, 0.13, 0.05}};
+    const double beside[4] = {0.02, 0.055, 0.28, 0.055};
+    mus_pattern *square = sample_polygon(context, 4, xy);
+    for (int32_t i = 0; i < 3; i++)
+        ck_assert_int_eq(mus_pattern_add_mark(square, 0, "a long name", 2, marks[i], NULL), MUS_OK);
+    ck_assert_int_eq(mus_pattern_add_mark(square, 0, "b", 2, beside, NULL), MUS_OK);
+    mus_sheet_destroy(sheet);
+    ck_assert_int_eq(mus_sheet_create(context, square, NULL, &sheet), MUS_OK);
+    const mus__piece *piece = &sheet->pieces[0];
+    const mus__path *names[3];
+    double a[2], b[2];
+    int32_t n = 0;
+    for (int32_t i = 0; i < sheet->drawing.npath && n < 3; i++) {
+        const mus__path *path = &sheet->drawing.paths[i];
+        if (path->piece == 0 && path->layer == MUS__LAYER_MARKS && path->pen == MUS__PEN_TEXT) names[n++] = path;
+    }
+    ck_assert_int_eq(n, 3);
+    for (int32_t i = 0; i < 3; i++) {
+        for (int32_t k = 0; k < piece->nflat; k++)
+            ck_assert(!mus__segment_meets(piece->flat + 2 * k, piece->flat + 2 * ((k + 1) % piece->nflat),
+                                          names[i]->box));
+        mus__piece_point(piece, beside, a);
+        mus__piece_point(piece, beside + 2, b);
+        ck_assert(!mus__segment_meets(a, b, names[i]->box));
+        mus__piece_point(piece, marks[i], a);
+        const double middle = 0.5 * (names[i]->box[0] + names[i]->box[2]) - a[0];
+        if (i == 0) ck_assert_double_lt(middle, 0.5 * 0.023 - 0.003);
+        else ck_assert_double_eq_tol(middle, 0.015, 1e-3);
+        ck_assert_int_eq(names[i]->box[1] > a[1], i < 2);
+    }
+    mus_pattern_destroy(square);
+}
+END_TEST
+
+
 START_TEST(without_allowance_cut_line_and_seam_line_are_one)
 {
     mus_sheet_def def;
@@ -237,6 +277,7 @@ Suite *mus_suite_piece_marks(void)
     tcase_add_test(test, a_notch_at_an_end_keeps_its_slits_apart);
     tcase_add_test(test, the_grain_line_is_upright_inside_and_long);
     tcase_add_test(test, labels_stand_inside_the_seam_line_clear_of_grain_and_marks);
+    tcase_add_test(test, the_name_of_a_mark_keeps_clear_of_lines);
     tcase_add_test(test, without_allowance_cut_line_and_seam_line_are_one);
     tcase_add_test(test, very_small_pieces_keep_a_label);
     suite_add_tcase(suite, test);

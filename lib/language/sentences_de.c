@@ -16,7 +16,7 @@ static const mus__language_row sentences_de[] = {
     {"depth.range", "{0} bis {1} mm"},
     {"ease.gather", "{0}: {1} einhalten oder einreihen"},
     {"ease.pleats", "{0}: {1}, durch Falten gekürzt"},
-    {"ease.rib", "{0}: {1}, dabei dehnen"},
+    {"ease.rib", "{0}: von {1} auf {2} dehnen"},
     {"facts.cover.many", "{0} Seiten nach dieser, {1} x {2}, Maßstab 1:1"},
     {"facts.cover.one", "{0} Seite nach dieser, {1} x {2}, Maßstab 1:1"},
     {"facts.many", "{0} Seiten, {1} x {2}, Maßstab 1:1"},

@@ -16,7 +16,7 @@ static const mus__language_row sentences_en[] = {
     {"depth.range", "{0} to {1} mm"},
     {"ease.gather", "ease or gather the {0} from {1}"},
     {"ease.pleats", "pleats shorten the {0} from {1}"},
-    {"ease.rib", "stretch the {0} from {1}"},
+    {"ease.rib", "stretch the {0} from {1} to {2}"},
     {"facts.cover.many", "{0} pages after this one, {1} x {2}, scale 1:1"},
     {"facts.cover.one", "{0} page after this one, {1} x {2}, scale 1:1"},
     {"facts.many", "{0} pages, {1} x {2}, scale 1:1"},

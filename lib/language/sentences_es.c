@@ -16,7 +16,7 @@ static const mus__language_row sentences_es[] = {
     {"depth.range", "{0} a {1} mm"},
     {"ease.gather", "embeber o fruncir: {0}, {1}"},
     {"ease.pleats", "acortado por los pliegues: {0}, {1}"},
-    {"ease.rib", "estirar: {0}, {1}"},
+    {"ease.rib", "estirar: {0}, de {1} a {2}"},
     {"facts.cover.many", "{0} páginas después de esta, {1} x {2}, escala 1:1"},
     {"facts.cover.one", "{0} página después de esta, {1} x {2}, escala 1:1"},
     {"facts.many", "{0} páginas, {1} x {2}, escala 1:1"},

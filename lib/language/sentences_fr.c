@@ -16,7 +16,7 @@ static const mus__language_row sentences_fr[] = {
     {"depth.range", "{0} à {1} mm"},
     {"ease.gather", "soutenir ou froncer : {0}, {1}"},
     {"ease.pleats", "raccourci par les plis : {0}, {1}"},
-    {"ease.rib", "étirer : {0}, {1}"},
+    {"ease.rib", "étirer : {0}, de {1} à {2}"},
     {"facts.cover.many", "{0} pages après celle-ci, {1} x {2}, échelle 1:1"},
     {"facts.cover.one", "{0} page après celle-ci, {1} x {2}, échelle 1:1"},
     {"facts.many", "{0} pages, {1} x {2}, échelle 1:1"},

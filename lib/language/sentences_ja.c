@@ -16,7 +16,7 @@ static const mus__language_row sentences_ja[] = {
     {"depth.range", "{0}～{1} mm"},
     {"ease.gather", "{0}（{1}）をいせ込むか、ギャザーを寄せる"},
     {"ease.pleats", "{0}（{1}）はプリーツで縮める"},
-    {"ease.rib", "{0}（{1}）を伸ばしながら縫う"},
+    {"ease.rib", "{0}を{1}から{2}に伸ばしながら縫う"},
     {"facts.cover.many", "このページの後に{0}ページ、{1} x {2}、縮尺 1:1"},
     {"facts.cover.one", "このページの後に{0}ページ、{1} x {2}、縮尺 1:1"},
     {"facts.many", "全{0}ページ、{1} x {2}、縮尺 1:1"},

@@ -16,7 +16,7 @@ static const mus__language_row sentences_pt[] = {
     {"depth.range", "{0} a {1} mm"},
     {"ease.gather", "embeber ou franzir: {0}, {1}"},
     {"ease.pleats", "encurtado pelas pregas: {0}, {1}"},
-    {"ease.rib", "esticar: {0}, {1}"},
+    {"ease.rib", "esticar: {0}, de {1} para {2}"},
     {"facts.cover.many", "{0} páginas depois desta, {1} x {2}, escala 1:1"},
     {"facts.cover.one", "{0} página depois desta, {1} x {2}, escala 1:1"},
     {"facts.many", "{0} páginas, {1} x {2}, escala 1:1"},

@@ -13,6 +13,10 @@
 #include "print/piece.h"
 #include "sewing/sewing_text.h"
 
+/* longest edge that a knit is stretched to, over its own length; chosen: a knit that gives half its length is the
+ * stretchiest that the gauges on pattern envelopes ask for */
+#define KNIT_STRETCH 1.5
+
 
 /* write a head, after an empty line */
 static void tell_head_of(mus__instructions *job, const char *key)
@@ -349,15 +353,32 @@ static tell_group group_add(mus__sewn *const *seams, int32_t count)
 }
 
 
-/* write the length of a seam, and how the other side is brought to it: a rib is stretched to the longer side, else the
- * longer side is eased in, or its pleats shorten it */
+/* is side k of a seam stretched to the other, longer one? A rib is, and so is a casing whose grain runs across its
+ * edge, as that of a knit does, unless the other side is longer than it stretches */
+static bool side_gives(const mus__instructions *job, const mus__sewn *seam, int32_t k, double longer)
+{
+    const double t[2] = {0.0, 1.0};
+    double grain[2], xy[4];
+    if (mus__tell_copies(job->pattern, seam->panel[k], MUS_MATERIAL_RIB) > 0) return true;
+    if (strcmp(mus_pattern_panel_label(job->pattern, seam->panel[k]), "elastic") != 0 ||
+        mus_pattern_grain(job->pattern, seam->panel[k], grain) != MUS_OK ||
+        mus_pattern_edge_at(job->pattern, seam->edge[k], 2, t, xy) != MUS_OK)
+        return false;
+    const double x = xy[2] - xy[0], y = xy[3] - xy[1];
+    return fabs(x * grain[0] + y * grain[1]) < fabs(x * grain[1] - y * grain[0]) &&
+           longer <= KNIT_STRETCH * seam->length[k];
+}
+
+
+/* write the length of a seam, and how the other side is brought to it: a rib or a knitted casing is stretched to the
+ * longer side, else the longer side is eased in, or its pleats shorten it */
 static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, const tell_group *group)
 {
     const int32_t longer = group->length[0] > group->length[1] ? 0 : 1, shorter = 1 - longer;
     const double ease = group->length[longer] - group->length[shorter];
-    const bool rib = mus__tell_copies(job->pattern, seam->panel[shorter], MUS_MATERIAL_RIB) > 0;
-    const int32_t moved = rib ? shorter : longer;
-    char text[MUS__PHRASE], words[MUS__PLAIN], told[MUS__PLAIN], length[MUS__LENGTH];
+    const bool gives = side_gives(job, seam, shorter, seam->length[longer]);
+    const int32_t moved = gives ? shorter : longer;
+    char text[MUS__PHRASE], words[MUS__PLAIN], told[MUS__PLAIN], length[MUS__LENGTH], own[MUS__LENGTH];
     mus__phrase phrase = mus__phrase_in(job->language);
     mus__sink_print(&job->sink, "%s", mus__tell_length(job, group->length[1 - moved], length));
     if (group->notches > 0) {
@@ -368,9 +389,10 @@ static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, cons
     const bool pleats = mus__tell_has_mark(job->pattern, seam->panel[longer], "pleat");
     mus__plain_words(mus_pattern_panel_name(job->pattern, seam->panel[moved]), true, words);
     mus__phrase_text(&phrase, 0, mus__tell_words(job, "panel", words, told));
-    mus__phrase_text(&phrase, 1, mus__tell_length(job, group->length[moved], length));
+    mus__phrase_text(&phrase, 1, mus__tell_length(job, group->length[moved], own));
+    mus__phrase_text(&phrase, 2, length);
     mus__sink_print(&job->sink, "%s", mus_language_text(job->language, "list.semicolon"));
-    mus__phrase_add(&phrase, rib ? "ease.rib" : pleats ? "ease.pleats" : "ease.gather", &job->sink);
+    mus__phrase_add(&phrase, gives ? "ease.rib" : pleats ? "ease.pleats" : "ease.gather", &job->sink);
 }
 
 

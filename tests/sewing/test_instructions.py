@@ -123,6 +123,17 @@ def test_zips_vents_and_openings_of_pockets_are_told(tmp_path):
     assert "Hem the openings of the kangaroo pocket" in hoodie and "stretch the front rib from " in hoodie
 
 
+def test_bands_that_give_are_stretched_to_the_edge_that_they_are_sewn_to(tmp_path):
+    """A casing of a knit and a rib, with both lengths; a woven casing does not give: what is longer is gathered."""
+    leggings = instructions(draft("leggings", tmp_path), tmp_path)
+    for part, length, edge in re.findall(r"stretch the band (front|back) from (\d+\.\d) cm to (\d+\.\d) cm", leggings):
+        assert f"band {part} to leg {part} at the band, {edge} cm" in leggings and float(length) < float(edge)
+    assert leggings.count("stretch the band") == 2 and "gather" not in leggings
+    assert re.search("stretch the cuff from .* cm to .* cm", instructions(draft("sweatshirt", tmp_path), tmp_path))
+    woven = instructions(draft("gathered_skirt_elastic_mini", tmp_path), tmp_path)
+    assert "ease or gather the skirt front" in woven and "stretch the band" not in woven
+
+
 def test_what_is_asked_wrongly_has_a_sentence(tmp_path):
     done = subprocess.run([MUSLIN, "print", "--design", "tshirt", "--size", "W40", "--instructions",
                            tmp_path / "no" / "t.txt"], capture_output=True, text=True)

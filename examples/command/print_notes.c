@@ -108,8 +108,8 @@ mus_status print_notes(const scene *s, const source *from, int32_t language, cha
     size_t size = 0;
     *out = NULL;
     if (s->tape != NULL && from->pattern == NULL) add_measures(&all, s->tape, language);
-    const mus_status status = mus_pattern_write_instructions_in_bytes(s->pattern, mus_language_tag(language), NULL,
-                                                                      &instructions, &size);
+    const mus_status status =
+        mus_pattern_write_instructions_in_bytes(s->pattern, mus_language_tag(language), NULL, &instructions, &size);
     notes told = {0};
     if (status == MUS_OK) notes_add(&told, instructions, size);
     if (told.text != NULL) add_paragraphs(&all, told.text, language);

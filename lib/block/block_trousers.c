@@ -25,8 +25,9 @@
 #define KNEE_PART 0.44                /* knee below the crotch line as a part of the inleg */
 #define YOKE_CENTRE (7.0 * MUS__CM)   /* [m] height of a yoke at the centre, as the trade's jeans have; chosen */
 #define YOKE_SIDE (4.0 * MUS__CM)     /* [m] and at the side */
-#define YOKE_PART 0.45 /* of the height from hip line to top edge that a yoke takes at most; chosen: pockets go below */
-#define YOKE_LEAST (0.3 * MUS__CM)    /* [m] dart that is closed into a yoke at least; chosen: less is lost in sewing */
+#define YOKE_PART 0.45 /* of the height from hip line to top edge that a yoke takes at most; chosen: pockets go below  \
+                        */
+#define YOKE_LEAST (0.3 * MUS__CM) /* [m] dart that is closed into a yoke at least; chosen: less is lost in sewing */
 #define YOKE_FRONT_CENTRE (1.2 * MUS__CM) /* [m] the centre front of jeans comes in at the waist, at most; chosen */
 
 typedef struct leg_problem {
@@ -202,8 +203,8 @@ static mus_status leg_front(mus_context *context, const mus__trousers_def *def, 
     half->centre[0] = x0, half->centre[1] = def->top;
     half->centre[2] = 0.0, half->centre[3] = out->hip;
     half->side[0] = x0 + net + half->dart_width, half->side[1] = def->top + 0.4 * MUS__CM;
-    const leg_darts darts = {half, 1, {0.55 * (net + half->dart_width)},
-                             {fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM}, net};
+    const leg_darts darts = {
+        half, 1, {0.55 * (net + half->dart_width)}, {fmin(0.5 * high, 9.5 * MUS__CM) + 0.2 * MUS__CM}, net};
     if (!(half->dart_width > 0.0) || !leg_dart(half, &darts)) {
         half->dart_width = 0.0;
         half->side[0] = x0 + net;
@@ -369,10 +370,13 @@ static mus_status leg_back(mus_context *context, const mus__trousers_def *def, m
     mus_status status = leg_back_side(context, &problem, half, net + half->dart_width, def->top);
     const double d = half->dart_width, high = def->top - out->hip, length = fmin(0.62 * high, 13.0 * MUS__CM);
     const bool one = d <= 3.2 * MUS__CM;
-    const leg_darts darts = {half, one ? 1 : 2, {one ? 0.5 * net + 0.5 * d : 0.32 * net + 0.25 * d,
-                             0.64 * net + 0.75 * d}, {length, length}, net};
-    const bool closes = status == MUS_OK && d > 0.0 && (def->yoke ? leg_yoke(&problem, net, high, half)
-                                                                  : leg_dart(half, &darts));
+    const leg_darts darts = {half,
+                             one ? 1 : 2,
+                             {one ? 0.5 * net + 0.5 * d : 0.32 * net + 0.25 * d, 0.64 * net + 0.75 * d},
+                             {length, length},
+                             net};
+    const bool closes =
+        status == MUS_OK && d > 0.0 && (def->yoke ? leg_yoke(&problem, net, high, half) : leg_dart(half, &darts));
     if (status == MUS_OK && !closes) {
         if (d > 0.0) status = leg_back_side(context, &problem, half, net, def->top);
         half->dart_width = 0.0;

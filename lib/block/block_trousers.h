@@ -19,18 +19,18 @@ typedef struct mus__trousers_def {
     double knee[2], hem[2];      /* widths of front and back, across */
     double end;                  /* where the leg ends, as a part of inleg: 1 at the hem */
     bool darts;
-    bool yoke;                   /* no dart in front; the back's are closed into a yoke */
+    bool yoke; /* no dart in front; the back's are closed into a yoke */
 } mus__trousers_def;
 
 /* the yoke of a back, its darts closed: from the top edge to the seam that joins it to the leg. Its centre lies where
  * that of the leg does */
 typedef struct mus__trousers_yoke {
     bool cut;
-    double centre[4];  /* top edge to the seam: two points */
-    double waist[8];   /* centre to side */
-    mus__chain side;   /* top edge to the seam */
-    double seam[8];    /* centre to side, as long as `top` */
-    double top[4];     /* the seam on the leg: two points, centre to side */
+    double centre[4]; /* top edge to the seam: two points */
+    double waist[8];  /* centre to side */
+    mus__chain side;  /* top edge to the seam */
+    double seam[8];   /* centre to side, as long as `top` */
+    double top[4];    /* the seam on the leg: two points, centre to side */
 } mus__trousers_yoke;
 
 /* a front or back half: side at x > 0, fork at x < 0, y = 0 at the natural waist */
@@ -44,7 +44,7 @@ typedef struct mus__trousers_half {
     int32_t ndart;
     double dart[MUS__DARTS][6]; /* inner mouth, point, outer mouth; from the centre outwards */
     double waist[MUS__DARTS + 1][8]; /* the top edge between its darts, fair when they are closed; none without darts */
-    mus__trousers_yoke yoke;  /* cut off a back: centre, outseam and waist are still those of both together */
+    mus__trousers_yoke yoke;         /* cut off a back: centre, outseam and waist are still those of both together */
     double dart_width;   /* the darts together on the straight waist line, before it is trued */
     double crease;       /* x of the leg's middle */
     double fork, hip;    /* widths beyond the centre line and before it on the crotch line */

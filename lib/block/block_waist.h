@@ -13,9 +13,9 @@ typedef struct mus__waist {
     int32_t ndart;
     double dart[MUS__DARTS][6]; /* inner mouth, point, outer mouth; from the centre outwards; legs of equal length */
     double part[MUS__DARTS + 1][8]; /* set by the call: cubics between the darts */
-    double closed[8];           /* set by the call: the line with the darts closed */
-    double close[6];            /* and the turn that closes them, of what lies beyond the last: (x, y) goes to
-                                   (m0 x + m1 y + m2, m3 x + m4 y + m5) */
+    double closed[8];               /* set by the call: the line with the darts closed */
+    double close[6];                /* and the turn that closes them, of what lies beyond the last: (x, y) goes to
+                                       (m0 x + m1 y + m2, m3 x + m4 y + m5) */
 } mus__waist;
 
 /*

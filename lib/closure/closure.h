@@ -9,7 +9,8 @@
 
 #include "half/half_garment.h"
 
-#define MUS__ZIP_SEAM (1.5 * MUS__CM) /* [m] allowance of a bodice's seam that a zip is set in; dressmaking practice */
+#define MUS__ZIP_SEAM (1.5 * MUS__CM) /* [m] allowance of a bodice's seam that a zip is set in; dressmaking practice   \
+                                       */
 
 /* ---- closure.c, on the half ---- */
 

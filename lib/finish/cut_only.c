@@ -202,9 +202,14 @@ static void cut_plackets(mus__cut_only *job)
         length = 2.0 * mus__dist2(xy, xy + 2);
         count++;
     }
-    mus__cut_strip_add(job, &(mus__cut_strip){.name = "sleeve_placket", .label = "placket", .length = length,
-                                              .width = 2.5 * job->scale * MUS__CM, .halved = true, .lengthwise = true,
-                                              .material = MUS_MATERIAL_MAIN, .count = count});
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "sleeve_placket",
+                                              .label = "placket",
+                                              .length = length,
+                                              .width = 2.5 * job->scale * MUS__CM,
+                                              .halved = true,
+                                              .lengthwise = true,
+                                              .material = MUS_MATERIAL_MAIN,
+                                              .count = count});
 }
 
 
@@ -252,9 +257,14 @@ static void cut_stand(mus__cut_only *job)
         if (stand == mus_pattern_edge_allowance(job->pattern, seam.edge_b))
             length += mus_pattern_edge_length(job->pattern, seam.edge_a);
     }
-    mus__cut_strip_add(job, &(mus__cut_strip){.name = "button_stand", .label = "closure", .length = length,
-                                              .width = 2.0 * MUS__BUTTON_STAND, .halved = true, .lengthwise = true,
-                                              .material = MUS_MATERIAL_INTERFACING, .count = 2});
+    mus__cut_strip_add(job, &(mus__cut_strip){.name = "button_stand",
+                                              .label = "closure",
+                                              .length = length,
+                                              .width = 2.0 * MUS__BUTTON_STAND,
+                                              .halved = true,
+                                              .lengthwise = true,
+                                              .material = MUS_MATERIAL_INTERFACING,
+                                              .count = 2});
 }
 
 

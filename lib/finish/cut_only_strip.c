@@ -12,7 +12,7 @@ static void strip_fold(mus__cut_only *job, const mus__cut_strip *strip, int32_t 
     const double within = strip->halved ? x / 3.0 : 0.0;
     if (!strip->halved && !(strip->turned > 0.0)) return;
     for (int32_t i = 0; i < 2 && job->status == MUS_OK; i++) {
-        const double sign = i == 0 ? -1.0 : 1.0, half[4] = {sign * x, y, sign * within, y};
+        const double sign = i == 0 ? -1.0 : 1.0, half[4] = {sign * x, y, within > 0.0 ? sign * within : 0.0, y};
         job->status = mus_pattern_add_mark(job->made, panel, "fold", 2, half, NULL);
     }
 }

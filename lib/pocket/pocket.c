@@ -27,12 +27,12 @@
 
 #define POCKET_STEP (1.0 * MUS__CM)
 #define POCKET_MOVES 8
-#define KANGAROO_WIDE (18.0 * MUS__CM)  /* [m] half the width of a kangaroo pocket; it and what follows: of trade */
-#define KANGAROO_TOP (12.0 * MUS__CM)   /* [m] half its upper edge */
-#define KANGAROO_HIGH (21.0 * MUS__CM)  /* [m] its height */
-#define KANGAROO_SIDE (6.0 * MUS__CM)   /* [m] its side below the opening */
-#define KANGAROO_ABOVE (4.0 * MUS__CM)  /* [m] above a hem that is turned: what is turned, and 1 cm more */
-#define KANGAROO_PART 0.8 /* of half the hem that it takes at most; chosen: it ends before the side seam */
+#define KANGAROO_WIDE (18.0 * MUS__CM) /* [m] half the width of a kangaroo pocket; it and what follows: of trade */
+#define KANGAROO_TOP (12.0 * MUS__CM)  /* [m] half its upper edge */
+#define KANGAROO_HIGH (21.0 * MUS__CM) /* [m] its height */
+#define KANGAROO_SIDE (6.0 * MUS__CM)  /* [m] its side below the opening */
+#define KANGAROO_ABOVE (4.0 * MUS__CM) /* [m] above a hem that is turned: what is turned, and 1 cm more */
+#define KANGAROO_PART 0.8              /* of half the hem that it takes at most; chosen: it ends before the side seam */
 
 
 /* moves the mark by at most POCKET_MOVES steps each way, shortest way first, until it lies within its panel */
@@ -96,11 +96,19 @@ static void pocket_kangaroo(mus__half *half)
     const double k = mus__measures_scale(&half->measures), *top = mus__board_start(board, cf);
     const double *foot = mus__board_end(board, cf), *side = mus__board_end(board, board->side[cf].next);
     const double low = foot[1] + (ribbed ? 0.0 : KANGAROO_ABOVE * k), wide = fabs(side[0] - foot[0]);
-    const double part = fmin(1.0, fmin(KANGAROO_PART * wide / (KANGAROO_WIDE * k),
-                                       KANGAROO_PART * (top[1] - low) / (KANGAROO_HIGH * k)));
+    const double part = fmin(
+        1.0, fmin(KANGAROO_PART * wide / (KANGAROO_WIDE * k), KANGAROO_PART * (top[1] - low) / (KANGAROO_HIGH * k)));
     const double cm = part * k, x = foot[0];
-    const double xy[10] = {x, low + KANGAROO_HIGH * cm, x + KANGAROO_TOP * cm, low + KANGAROO_HIGH * cm,
-                           x + KANGAROO_WIDE * cm, low + KANGAROO_SIDE * cm, x + KANGAROO_WIDE * cm, low, x, low};
+    const double xy[10] = {x,
+                           low + KANGAROO_HIGH * cm,
+                           x + KANGAROO_TOP * cm,
+                           low + KANGAROO_HIGH * cm,
+                           x + KANGAROO_WIDE * cm,
+                           low + KANGAROO_SIDE * cm,
+                           x + KANGAROO_WIDE * cm,
+                           low,
+                           x,
+                           low};
     mus__board_mark_add(board, panel, "kangaroo pocket", 5, xy);
 }
 

@@ -498,7 +498,9 @@ void mus__legend_draw(const mus_sheet *sheet, mus__drawing *out)
     double y = cover_title(sheet, out, box[0], box[2], box[3]) - 0.002;
     const double width = box[2] - box[0];
     cover_text(sheet, sheet->full ? cover_column(width) : width, LEGEND_LINES, sheet->full, &lines);
-    if (sheet->full) cover_columns_draw(&lines, lines.n, out, box[0], box[2], y - LEGEND_PITCH);
-    else cover_lines_draw(&lines, 0, lines.n, out, box[0], box[2], y - LEGEND_PITCH);
+    if (sheet->full)
+        cover_columns_draw(&lines, lines.n, out, box[0], box[2], y - LEGEND_PITCH);
+    else
+        cover_lines_draw(&lines, 0, lines.n, out, box[0], box[2], y - LEGEND_PITCH);
     cover_map(sheet, out, box[0], box[1], box[2] - box[0], LEGEND_MAP - LEGEND_GAP);
 }

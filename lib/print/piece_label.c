@@ -247,8 +247,7 @@ static mus_status walls_build(const mus_sheet *sheet, const mus_pattern *pattern
             status = walls_add(sheet->context, walls, a, b);
         }
         mus__caption caption;
-        if (status != MUS_OK ||
-            !mus__mark_caption(pattern, piece, sheet->lettering, sheet->language, i, &caption))
+        if (status != MUS_OK || !mus__mark_caption(pattern, piece, sheet->lettering, sheet->language, i, &caption))
             continue;
         const mus__text_style *style = &caption.style;
         double half = 0.5 * style->height * mus__lettering_width(sheet->lettering, caption.text, false);

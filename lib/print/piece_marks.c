@@ -24,8 +24,10 @@
 #define CAPTION 0.0025
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
-#define CAPTION_PAD 0.001 /* [m] distance of letters from lines that they would cross; chosen: they do not touch them */
-#define CAPTION_STEP 0.002 /* [m] distance of the places that are tried along a mark; chosen: finer ones help no more */
+#define CAPTION_PAD 0.001  /* [m] distance of letters from lines that they would cross; chosen: they do not touch them \
+                            */
+#define CAPTION_STEP 0.002 /* [m] distance of the places that are tried along a mark; chosen: finer ones help no more  \
+                            */
 #define CAPTION_SAME 1e-6 /* [m] a point this near to a line lies on it; chosen: above rounding */
 #define FOLD_CLEAR 0.001 /* [m] distance of the words from a line that is folded; chosen: they do not touch it */
 #define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
@@ -516,8 +518,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
             marks_segment(out, piece, first, p, &open);
         }
         mus__caption caption;
-        if (piece->follower || !mus__mark_caption(pattern, piece, out->lettering, out->language, i, &caption))
-            continue;
+        if (piece->follower || !mus__mark_caption(pattern, piece, out->lettering, out->language, i, &caption)) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
         mus__draw_text(out, caption.text, caption.x, caption.y, &caption.style);
     }

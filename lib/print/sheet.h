@@ -44,7 +44,7 @@ struct mus_sheet {
     double legend[4];   /* low x, low y, high x, high y of title and instructions [m], tiled without a cover */
     double page[2];     /* width and height of a page [m] */
     int32_t columns, rows, ntile;
-    mus__tile *tiles;   /* (ntile) in the order of the pages, without the empty ones; that of the legend is the first */
+    mus__tile *tiles; /* (ntile) in the order of the pages, without the empty ones; that of the legend is the first */
     mus__drawing drawing; /* lines of all pieces */
 };
 

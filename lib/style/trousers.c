@@ -278,8 +278,8 @@ void mus__trousers_attach(mus__half *half)
     mus__lower_place_leg(half, front, true, block.front.crease, block.front.crease + block.front.fork, block.thigh,
                          toes);
     for (int32_t i = 0; i < (yoke == MUS_NONE ? 1 : 2); i++)
-        mus__lower_place_leg(half, i == 0 ? back : yoke, false, block.back.crease,
-                             block.back.crease + block.back.fork, block.thigh, 0.0);
+        mus__lower_place_leg(half, i == 0 ? back : yoke, false, block.back.crease, block.back.crease + block.back.fork,
+                             block.thigh, 0.0);
     if (trousers_ribbed(half)) trousers_rib(half, &block, front, back);
     mus__lower_waist_sew(half, first);
 }

@@ -35,8 +35,7 @@ START_TEST(the_words_choose_the_pieces)
         {"tank", "neckband 1 rib, armhole_band 2 rib"},
         {"bodice", ""},
         {"turtleneck", ""},
-        {"blouse_jewel_short",
-         "front_facing 1 main 1 interfacing, back_left_facing 2 main 2 interfacing"},
+        {"blouse_jewel_short", "front_facing 1 main 1 interfacing, back_left_facing 2 main 2 interfacing"},
         {"shirt_sleeveless",
          "front_left_armhole_facing 2 main 2 interfacing, back_armhole_facing 2 main 2 interfacing, "
          "under_collar_leaf 1 main, button_stand 2 interfacing"},

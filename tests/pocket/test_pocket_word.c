@@ -25,7 +25,7 @@ static mus_pattern *pocketed(mus_context *context, const char *design, const cha
 START_TEST(a_pocket_is_two_pieces)
 {
     static const char *const rows[][2] = {{"pyjama_jacket", "W52"}, {"scrub_top", "C92"}, {"denim_skirt", "W40"},
-                                          {"oxford_shirt", "M50"}, {"pinafore", "C116"}, {"apron_dress", "W50"}};
+                                          {"oxford_shirt", "M50"},  {"pinafore", "C116"}, {"apron_dress", "W50"}};
     mus_context *context = support_context();
     mus_pattern *pattern = pocketed(context, rows[_i][0], rows[_i][1]);
     const int32_t left = mus_pattern_find_panel(pattern, "pocket_left");
@@ -98,8 +98,8 @@ START_TEST(a_kangaroo_pocket_is_cut_as_it_is_marked)
         ck_assert_int_eq(opened, 2);
         const int32_t piece = mus_pattern_find_panel(made, d == 1 ? "kangaroo_pocket_left" : "kangaroo_pocket");
         ck_assert_int_ne(piece, MUS_NONE);
-        const double area = 0.5 * (half[2] + half[4] - 2.0 * half[0]) * (half[3] - half[5]) +
-                            (half[4] - half[0]) * (half[5] - half[7]);
+        const double area =
+            0.5 * (half[2] + half[4] - 2.0 * half[0]) * (half[3] - half[5]) + (half[4] - half[0]) * (half[5] - half[7]);
         ck_assert_double_eq_tol(mus_pattern_panel_area(made, piece), d == 1 ? area : 2.0 * area, 1e-9);
         mus_pattern_destroy(pattern);
     }

@@ -217,15 +217,17 @@ START_TEST(the_name_of_a_mark_keeps_clear_of_lines)
     ck_assert_int_eq(n, 3);
     for (int32_t i = 0; i < 3; i++) {
         for (int32_t k = 0; k < piece->nflat; k++)
-            ck_assert(!mus__segment_meets(piece->flat + 2 * k, piece->flat + 2 * ((k + 1) % piece->nflat),
-                                          names[i]->box));
+            ck_assert(
+                !mus__segment_meets(piece->flat + 2 * k, piece->flat + 2 * ((k + 1) % piece->nflat), names[i]->box));
         mus__piece_point(piece, beside, a);
         mus__piece_point(piece, beside + 2, b);
         ck_assert(!mus__segment_meets(a, b, names[i]->box));
         mus__piece_point(piece, marks[i], a);
         const double middle = 0.5 * (names[i]->box[0] + names[i]->box[2]) - a[0];
-        if (i == 0) ck_assert_double_lt(middle, 0.5 * 0.023 - 0.003);
-        else ck_assert_double_eq_tol(middle, 0.015, 1e-3);
+        if (i == 0)
+            ck_assert_double_lt(middle, 0.5 * 0.023 - 0.003);
+        else
+            ck_assert_double_eq_tol(middle, 0.015, 1e-3);
         ck_assert_int_eq(names[i]->box[1] > a[1], i < 2);
     }
     mus_pattern_destroy(square);

@@ -761,7 +761,16 @@ def needed(axes):
             need.append(("sleeve: the cuff opens, with an underlap", "mark underlap", {"mark": 1}))
         need.append((f"sleeve: {cuff}", "cuff_left", {"rib": 2} if cuff == "rib" else {"main": 2, "interfacing": 2}))
     if at("yoke") == "yoke":
-        need.append(("yoke: two layers", "back_yoke", {"main": 2}))
+        if axes["garment"] == "trousers":
+            need.append(("yoke: of trousers, left and right", "back_yoke_left", {"main": 2}))
+        else:
+            need.append(("yoke: two layers", "back_yoke", {"main": 2}))
+    if at("hem") == "ribbed":
+        need.append(("hem: rib, front", "front_rib(_left)?", {"rib": 1}))
+        need.append(("hem: rib, back", "back_rib", {"rib": 1}))
+    if at("pocket") == "kangaroo":
+        need.append(("pocket: kangaroo, its place", "mark kangaroo pocket", {"mark": 1}))
+        need.append(("pocket: kangaroo", "kangaroo_pocket(_left)?", {"main": 1}))
     if upper and at("closure") == "front":
         need.append(("closure: buttons in front", "button_stand", {"interfacing": 2}))
         need += [(f"closure: buttons in front, {word}", f"mark {mark}", {"mark": 1})

@@ -94,13 +94,10 @@ void mus__waist_zip_below(mus__half *half, int32_t n, const int32_t *waist)
     mus__board *board = &half->board;
     if (board->status != MUS_OK || n == 0 || !mus__style_is(half, MUS__AXIS_CLOSURE, MUS__CLOSURE_BACK)) return;
     mus__board_side *centre = &board->side[board->side[waist[0]].prev];
-    if (centre->centre == MUS__CENTRE_FOLD) {
-        centre->centre = MUS__CENTRE_SEAM;
-        centre->attr.allowance = MUS__SEAM_ALLOWANCE;
-    }
+    if (centre->centre == MUS__CENTRE_FOLD) centre->centre = MUS__CENTRE_SEAM;
     if (centre->centre != MUS__CENTRE_SEAM) return;
+    centre->attr.allowance = MUS__ZIP_SEAM; /* down to the hem: no step of the cut line at the zip's end */
     mus__waist_zip(half, n, waist);
-    if (board->status == MUS_OK) board->side[board->side[waist[0]].prev].attr.allowance = MUS__ZIP_SEAM;
 }
 
 

@@ -26,7 +26,7 @@ typedef struct fabric_row {
 /* text of each value of fabric_value.c */
 static const int32_t fabric_text[] = {0, 1, 1, 2, 3, 3, 3, 4, 5, 6, 7, 8};
 
-#define FABRIC_DAMPING 0.1
+#define FABRIC_DAMPING 0.1 /* damping ratio of every fabric of the table; assumed, as muslin_fabric(5) says */
 
 /* one row: name, what it is; then each value with its source; FABRIC has neither friction of bending nor a measured
  * contraction */

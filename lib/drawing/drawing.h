@@ -14,7 +14,7 @@
 #include "file/sink.h"
 #include "muslin/print.h"
 
-#define MUS__PRINT_PI 3.14159265358979323846
+#define MUS__PRINT_PI 3.14159265358979323846 /* half a turn [rad], to the last bit of a double */
 
 /* ---- helpers (drawing.c) ---- */
 mus_status mus__print_memory(mus_context *context, const char *what);

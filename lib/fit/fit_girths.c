@@ -15,6 +15,7 @@
 #include "fit/fit_internal.h"
 #include "geom/vec.h"
 
+/* [rad] a chain of segments that turns by more about the axis goes round it; chosen: a turn, less a tenth */
 #define FIT_ROUND (1.8 * MUS_PI)
 
 /* which levels, by which measure the body has its girth there */

@@ -42,6 +42,8 @@
 #define MUS__ZIP (18.0 * MUS__CM) /* [m] length of a zip at the waist: the hips pass it; of dressmaking practice */
 /* length of a rib as part of the edge that it is sewn to; chosen: between the 0.85 and 0.9 of cutting practice */
 #define MUS__RIB_PART 0.87
+#define MUS__RIB_HEIGHT (6.0 * MUS__CM) /* [m] of the rib of a leg or a hem; chosen: the trade has 5 to 8 */
+#define MUS__RIB_BLOUSE (2.0 * MUS__CM) /* [m] of what is above a rib falls over it; chosen */
 
 typedef struct mus__half {
     mus_context *context;

@@ -25,13 +25,8 @@
 #include "board/board_patch_panel.h"
 #include "pocket/pocket.h"
 
-#define POCKET_STEP (1.0 * MUS__CM)
+#define POCKET_STEP (1.0 * MUS__CM) /* [m] a pocket that would leave its panel is moved by steps of this; chosen */
 #define POCKET_MOVES 8
-#define KANGAROO_WIDE (18.0 * MUS__CM) /* [m] half the width of a kangaroo pocket; it and what follows: of trade */
-#define KANGAROO_TOP (12.0 * MUS__CM)  /* [m] half its upper edge */
-#define KANGAROO_HIGH (21.0 * MUS__CM) /* [m] its height */
-#define KANGAROO_SIDE (6.0 * MUS__CM)  /* [m] its side below the opening */
-#define KANGAROO_ABOVE (4.0 * MUS__CM) /* [m] above a hem that is turned: what is turned, and 1 cm more */
 #define KANGAROO_PART 0.8              /* of half the hem that it takes at most; chosen: it ends before the side seam */
 
 
@@ -86,29 +81,29 @@ static void pocket_mark(mus__half *half, const char *name, double x, double y)
 }
 
 
-/* marks half a kangaroo pocket from the centre of its upper edge over the opening to the centre of its lower one */
+/* half a kangaroo pocket from the centre of its upper edge over the opening to the centre of its lower one [cm]; as
+ * those of the trade */
+static const double kangaroo[5][2] = {{0.0, 21.0}, {12.0, 21.0}, {18.0, 6.0}, {18.0, 0.0}, {0.0, 0.0}};
+
+
+/* marks it with its lower edge in the seam of a rib, or a seam's width above what a hem turns up */
 static void pocket_kangaroo(mus__half *half)
 {
     mus__board *board = &half->board;
     const int32_t panel = mus__board_find_panel(board, "front"), cf = mus__board_find(board, panel, "cf");
     if (board->status != MUS_OK || panel == MUS_NONE || cf == MUS_NONE) return;
+    const mus__board_side *hem = &board->side[board->side[cf].next];
     const bool ribbed = mus__style_is(half, MUS__AXIS_HEM, MUS__HEM_RIBBED);
-    const double k = mus__measures_scale(&half->measures), *top = mus__board_start(board, cf);
+    const double cm = mus__measures_scale(&half->measures) * MUS__CM, *top = mus__board_start(board, cf);
     const double *foot = mus__board_end(board, cf), *side = mus__board_end(board, board->side[cf].next);
-    const double low = foot[1] + (ribbed ? 0.0 : KANGAROO_ABOVE * k), wide = fabs(side[0] - foot[0]);
-    const double part = fmin(
-        1.0, fmin(KANGAROO_PART * wide / (KANGAROO_WIDE * k), KANGAROO_PART * (top[1] - low) / (KANGAROO_HIGH * k)));
-    const double cm = part * k, x = foot[0];
-    const double xy[10] = {x,
-                           low + KANGAROO_HIGH * cm,
-                           x + KANGAROO_TOP * cm,
-                           low + KANGAROO_HIGH * cm,
-                           x + KANGAROO_WIDE * cm,
-                           low + KANGAROO_SIDE * cm,
-                           x + KANGAROO_WIDE * cm,
-                           low,
-                           x,
-                           low};
+    const double low = foot[1] + (ribbed ? 0.0 : hem->attr.allowance + MUS__SEAM_ALLOWANCE);
+    const double room[2] = {KANGAROO_PART * fabs(side[0] - foot[0]), KANGAROO_PART * (top[1] - low)};
+    const double scale = fmin(cm, fmin(room[0] / kangaroo[3][0], room[1] / kangaroo[0][1]));
+    double xy[10];
+    for (int32_t i = 0; i < 5; i++) {
+        xy[2 * i] = foot[0] + scale * kangaroo[i][0];
+        xy[2 * i + 1] = low + scale * kangaroo[i][1];
+    }
     mus__board_mark_add(board, panel, "kangaroo pocket", 5, xy);
 }
 

@@ -24,12 +24,8 @@
 #define CAPTION 0.0025
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
-#define CAPTION_PAD 0.001  /* [m] distance of letters from lines that they would cross; chosen: they do not touch them \
-                            */
-#define CAPTION_STEP 0.002 /* [m] distance of the places that are tried along a mark; chosen: finer ones help no more  \
-                            */
 #define CAPTION_SAME 1e-6 /* [m] a point this near to a line lies on it; chosen: above rounding */
-#define FOLD_CLEAR 0.001 /* [m] distance of the words from a line that is folded; chosen: they do not touch it */
+#define WORDS_CLEAR 0.001 /* [m] distance of words from lines that they would touch or cross; chosen: they are read */
 #define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
 
 
@@ -318,7 +314,7 @@ typedef struct caption_box {
 /* does a segment of the sheet meet the box? */
 static bool caption_meets(const caption_box *box, const double *a, const double *b)
 {
-    const double wall[4] = {-box->half - CAPTION_PAD, -CAPTION_PAD, box->half + CAPTION_PAD, CAPTION + CAPTION_PAD};
+    const double wall[4] = {-box->half - WORDS_CLEAR, -WORDS_CLEAR, box->half + WORDS_CLEAR, CAPTION + WORDS_CLEAR};
     double p[2][2];
     for (int32_t i = 0; i < 2; i++) {
         const double x = (i == 0 ? a : b)[0] - box->x, y = (i == 0 ? a : b)[1] - box->y;
@@ -357,16 +353,17 @@ static bool caption_clear(const mus_pattern *pattern, const caption_box *box)
 }
 
 
-/* move a caption that lines run through along its mark of the length d [m], on the one or the other side of it, no
- * farther than past its end: to the nearest place that is clear; without one it stays */
+/* move a caption that lines run through along its mark of the length d [m], in steps of the height of its letters, on
+ * the one or the other side of it, no farther than past its end: to the nearest place that is clear; without one it
+ * stays */
 static void caption_move(const mus_pattern *pattern, const mus__piece *piece, const mus__lettering *lettering, double d,
                          mus__caption *out)
 {
     const double c = out->style.cosine, s = out->style.sine, half = 0.5 * CAPTION;
     const double wide = half * mus__lettering_width(lettering, out->text, false);
     const double most = 0.5 * d + wide + CAPTION_CLEAR;
-    for (int32_t i = 0; CAPTION_STEP * (i / 4) <= most; i++) {
-        const double along = (i % 2 == 0 ? 1.0 : -1.0) * CAPTION_STEP * (i / 4);
+    for (int32_t i = 0; CAPTION * (i / 4) <= most; i++) {
+        const double along = (i % 2 == 0 ? 1.0 : -1.0) * CAPTION * (i / 4);
         const double across = i % 4 < 2 ? 0.0 : -(2.0 * CAPTION_CLEAR + CAPTION);
         const caption_box box = {piece, out->x + along * c - across * s, out->y + along * s + across * c, wide, {c, s}};
         if (!caption_clear(pattern, &box)) continue;
@@ -544,8 +541,7 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
     const double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
     const mus__text_style style = {CAPTION, sign * dx / d, sign * dy / d, 0.5};
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, words, middle[0] - FOLD_CLEAR * style.sine, middle[1] + FOLD_CLEAR * style.cosine,
-                   &style);
+    mus__draw_text(out, words, middle[0] - WORDS_CLEAR * style.sine, middle[1] + WORDS_CLEAR * style.cosine, &style);
 }
 
 

@@ -26,7 +26,7 @@ static MUS_INLINE double over_root(double share, double x)
 
 
 #define MUS__REAL double
-#define MUS__TINY 1e-150
+#define MUS__TINY 1e-150 /* its square is a normal number just so */
 #define MUS__NAME(name) sim_f64_##name
 #define MUS__SQRT sqrt
 #define MUS__OVER_ROOT(a, x) over_root(a, x)

@@ -13,7 +13,7 @@
 #include "closure/closure.h"
 #include "style/bodice.h"
 
-#define CAPE_STRETCH_KNIT 1.15
+#define CAPE_STRETCH_KNIT 1.15 /* the neck of a knit stretches to this many times its length over the head; chosen */
 #define CAPE_STEPS 60
 
 

@@ -13,9 +13,6 @@
 #include "closure/closure.h"
 #include "style/bodice.h"
 
-#define RIB_HEIGHT (6.0 * MUS__CM) /* [m] as that of a long sleeve's rib */
-#define RIB_BLOUSE (2.0 * MUS__CM) /* [m] the body is longer than to the rib by, as a leg above its rib */
-
 
 static bool rib_asked(const mus__half *half)
 {
@@ -26,7 +23,7 @@ static bool rib_asked(const mus__half *half)
 
 double mus__hem_rib_above(const mus__half *half, double scale)
 {
-    return rib_asked(half) ? scale * (RIB_HEIGHT - RIB_BLOUSE) : 0.0;
+    return rib_asked(half) ? scale * (MUS__RIB_HEIGHT - MUS__RIB_BLOUSE) : 0.0;
 }
 
 
@@ -53,7 +50,7 @@ static int32_t rib_draw(mus__half *half, const mus__top *top, bool front)
     if (board->status != MUS_OK || n < 1 || n > MUS__TOP_RUN) return MUS_NONE;
     double length = 0.0;
     for (int32_t i = 0; i < n; i++) length += MUS__RIB_PART * board->side[sides[i]].length;
-    const double height = RIB_HEIGHT * top->scale;
+    const double height = MUS__RIB_HEIGHT * top->scale;
     const double a[2] = {0.0, -height}, b[2] = {length, -height}, c[2] = {length, 0.0}, d[2] = {0.0, 0.0};
     mus__outline outline;
     mus__outline_begin(&outline);

@@ -11,7 +11,7 @@
 #include "block/block_skirt.h"
 #include "style/waist_edge.h"
 
-#define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM)
+#define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM) /* [m] turned up at the hem of a straight skirt; dressmaking practice */
 
 
 /* figures of the skirt block: under a bodice its waist has the length of the bodice's and its darts lie below them */

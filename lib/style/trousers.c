@@ -19,9 +19,6 @@
 #include "geom/vec.h"
 #include "style/waist_edge.h"
 
-#define LEG_RIB (6.0 * MUS__CM) /* height of a rib below the leg */
-#define LEG_BLOUSE (2.0 * MUS__CM) /* the leg is longer than to the rib by */
-
 
 bool mus__trousers_close(const mus__half *half)
 {
@@ -126,7 +123,7 @@ static mus__trousers_def trousers_block(const mus__half *half)
     if (trousers_ribbed(half)) {
         /* the rib goes round the ankle, the leg falls 2 cm over it */
         const double low = (length == MUS__LEG_LENGTH_FULL ? 0.050 : 0.080) * m[MUS_MEASURE_STATURE];
-        const double above = low + scale * (LEG_RIB - LEG_BLOUSE);
+        const double above = low + scale * (MUS__RIB_HEIGHT - MUS__RIB_BLOUSE);
         def.end = fmax(0.2, fmin(1.0, (m[MUS_MEASURE_WAIST_HEIGHT] - def.rise - above) / def.inleg));
     }
     return def;
@@ -214,7 +211,7 @@ static int32_t trousers_draw(mus__half *half, const mus__trousers_half *block, b
 static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t front, int32_t back)
 {
     mus__board *board = &half->board;
-    const double *m = half->measures.v, scale = mus__lower_scale(half), height = LEG_RIB * scale;
+    const double *m = half->measures.v, scale = mus__lower_scale(half), height = MUS__RIB_HEIGHT * scale;
     const double w = 0.5 * (m[MUS_MEASURE_ANKLE] + 3.0 * scale * MUS__CM), top = block->front.hem[7];
     const double bottom = top - height;
     const double a[2] = {-w, bottom}, b[2] = {w, bottom}, c[2] = {w, top}, d[2] = {-w, top};
@@ -237,7 +234,7 @@ static void trousers_rib(mus__half *half, const mus__trousers *block, int32_t fr
 
     /* rolled about the leg with room for the heel, its middle at the outside */
     const double radius = w / MUS_PI + 0.03;
-    const double origin[3] = {0.065 * m[MUS_MEASURE_STATURE] + radius, half->waist_level + LEG_BLOUSE * scale,
+    const double origin[3] = {0.065 * m[MUS_MEASURE_STATURE] + radius, half->waist_level + MUS__RIB_BLOUSE * scale,
                               -0.025 * m[MUS_MEASURE_STATURE]};
     mus__lower_place(half, rib, 0.5 * MUS_PI, 0.0, origin, radius);
 }

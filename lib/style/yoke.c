@@ -11,7 +11,7 @@
 #include "geom/curve.h"
 #include "style/bodice.h"
 
-#define YOKE_FRONT (2.0 * MUS__CM)
+#define YOKE_FRONT (2.0 * MUS__CM) /* [m] the yoke of a shirt comes to the front over the shoulder by; of practice */
 #define YOKE_PLEAT (2.0 * MUS__CM) /* of a half */
 
 

@@ -169,10 +169,12 @@ MUS_API mus_status mus_pattern_hold_label(mus_pattern *pattern, const char *labe
  */
 MUS_API mus_status mus_pattern_set_edge_elastic(mus_pattern *pattern, int32_t edge, double ratio, double stiffness);
 
-/* Closures of a seam: none (it is sewn), a zip, buttons. */
+/* Closures of a seam: none (it is sewn), a zip, buttons, ties (an end of a front that wraps is held there by a tie; it
+ * lies on the seam, laid). */
 #define MUS_CLOSURE_NONE 0
 #define MUS_CLOSURE_ZIP 1
 #define MUS_CLOSURE_BUTTONS 2
+#define MUS_CLOSURE_TIES 3
 
 /** Options of a seam. */
 typedef struct mus_seam_def {

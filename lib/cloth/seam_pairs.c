@@ -9,12 +9,16 @@
  * A patch is sewn to a line inside a panel, and lies on the cloth beside it: it goes on from the cloth on the far side
  * of the line, so its hinge has its wing there, and is flat when the patch lies flat. Layers of a pleat fold where they
  * are laid: no hinge holds them flat. A closure that is left open has no pairs; one done up with buttons has one each.
+ * A tie is as narrow as a hand and draws a whole front round the body: it pulls as a longer seam does.
  */
 #include <math.h>
 
 #include "base/elementary.h"
 #include "cloth/mesh.h"
 #include "geom/vec.h"
+
+/* [m] of seam that a tie pulls as; chosen: it draws a whole edge tight, from the shoulder to the waist */
+#define PAIRS_TIE 0.3
 
 
 /* step of edge b that meets step k of edge a */
@@ -172,8 +176,9 @@ static mus_status pairs_seam(mus__mesh *mesh, int32_t index)
     if (status != MUS_OK) return status;
 
     /* the mean length of the two intervals; half of it at both ends */
-    const double length = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +
-                                 mus_pattern_edge_length(mesh->pattern, seam.edge_b));
+    double length = 0.5 * (mus_pattern_edge_length(mesh->pattern, seam.edge_a) +
+                           mus_pattern_edge_length(mesh->pattern, seam.edge_b));
+    if (seam.closure == MUS_CLOSURE_TIES) length = fmax(length, PAIRS_TIE);
     if (seam.open) return MUS_OK;
     for (int32_t i = 0, last = MUS_NONE; i < seam.buttons; i++) {
         const int32_t k = (int32_t)floor((i + 0.5) / seam.buttons * n + 0.5);

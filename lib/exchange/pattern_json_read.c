@@ -366,11 +366,10 @@ static mus_status read_joining(const mus__json_at *at, mus_seam_def *seam)
     const char *name;
     status = mus__json_text(&closure, &name);
     if (status != MUS_OK) return status;
-    const bool zip = strcmp(name, "zip") == 0;
-    if (!zip && strcmp(name, "buttons") != 0)
-        return mus__json_fail(&closure, MUS_ERR_FORMAT, "expected zip or buttons, got \"%.40s\"", name);
-    seam->closure = zip ? MUS_CLOSURE_ZIP : MUS_CLOSURE_BUTTONS;
-    return MUS_OK;
+    static const char *const closures[] = {MUS__JSON_CLOSURES};
+    for (seam->closure = MUS_CLOSURE_TIES; seam->closure > MUS_CLOSURE_NONE; seam->closure--)
+        if (strcmp(name, closures[seam->closure]) == 0) return MUS_OK;
+    return mus__json_fail(&closure, MUS_ERR_FORMAT, "expected zip, buttons or ties, got \"%.40s\"", name);
 }
 
 

@@ -6,6 +6,7 @@
  * Optional members with their default value (names, labels, allowances) are left out. Form: muslin_pattern(5).
  */
 #include "exchange/file_read.h"
+#include "exchange/pattern_readers.h"
 #include "file/sink.h"
 
 
@@ -223,6 +224,7 @@ static mus_status put_cells(mus__sink *sink, const mus_pattern *pattern)
 
 static mus_status put_seams(mus__sink *sink, const mus_pattern *pattern)
 {
+    static const char *const closures[] = {MUS__JSON_CLOSURES};
     mus_status status = MUS_OK;
     put_list(sink, "seams");
     for (int32_t i = 0; i < mus_pattern_seam_count(pattern) && status == MUS_OK; i++) {
@@ -236,8 +238,7 @@ static mus_status put_seams(mus__sink *sink, const mus_pattern *pattern)
         mus__sink_print(sink, ", \"tolerance\": ");
         mus__sink_number(sink, seam.tolerance);
         if (seam.laid) mus__sink_print(sink, ", \"laid\": 1");
-        if (seam.closure != MUS_CLOSURE_NONE)
-            mus__sink_print(sink, ", \"closure\": \"%s\"", seam.closure == MUS_CLOSURE_ZIP ? "zip" : "buttons");
+        if (seam.closure != MUS_CLOSURE_NONE) mus__sink_print(sink, ", \"closure\": \"%s\"", closures[seam.closure]);
         if (seam.open) mus__sink_print(sink, ", \"open\": 1");
         if (seam.buttons > 0) mus__sink_print(sink, ", \"buttons\": %d", (int)seam.buttons);
         mus__sink_print(sink, "}");

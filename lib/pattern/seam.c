@@ -36,9 +36,9 @@ static mus_status seam_check(const mus_pattern *pattern, const mus_seam_def *def
         return mus__fail(context, MUS_ERR_ARG, "seam: an ease of %g m is not finite", def->ease);
     if (!mus__finite(def->tolerance) || def->tolerance < 0.0)
         return mus__fail(context, MUS_ERR_ARG, "seam: a tolerance of %g m is not 0 or more", def->tolerance);
-    if (def->closure < MUS_CLOSURE_NONE || def->closure > MUS_CLOSURE_BUTTONS)
+    if (def->closure < MUS_CLOSURE_NONE || def->closure > MUS_CLOSURE_TIES)
         return mus__fail(context, MUS_ERR_ARG, "seam: closure %d is outside 0 to %d", (int)def->closure,
-                         MUS_CLOSURE_BUTTONS);
+                         MUS_CLOSURE_TIES);
     if (def->closure == MUS_CLOSURE_NONE && def->open != 0)
         return mus__fail(context, MUS_ERR_ARG, "seam: it is no closure, and cannot be left open");
     if (def->buttons < 0 || def->buttons > SEAM_BUTTONS || (def->buttons > 0 && def->closure != MUS_CLOSURE_BUTTONS))

@@ -132,7 +132,9 @@ static bool quotient_seam(const mus__quotient *q, const mus_seam_def *seam, int3
     *k = q->place[seam->edge_b];
     if (*j == MUS_NONE || *k == MUS_NONE) return false;
     *relation = -q->turn[*j] * q->turn[*k] * (seam->direction == MUS_SEAM_DIRECT ? 1 : -1);
-    if (mus__edge_inner(q, seam->edge_a) || mus__edge_inner(q, seam->edge_b)) *relation = 1;
+    /* what lies on other cloth, a patch or an end that is tied, has the same side out as that */
+    if (seam->closure == MUS_CLOSURE_TIES || mus__edge_inner(q, seam->edge_a) || mus__edge_inner(q, seam->edge_b))
+        *relation = 1;
     return true;
 }
 

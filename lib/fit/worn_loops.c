@@ -1,9 +1,10 @@
 /*
  * worn_loops.c: the boundary loops of a cloth with all seams sewn.
  *
- * Nodes that seam pairs join are one class. An edge between two classes that one triangle alone has is a border edge.
- * Border edges are followed from class to class, forwards where the sides of the panels agree. At a class where several
- * loops touch, the walk stays with the panel that it came on.
+ * Nodes that seam pairs join are one class. An edge between two classes that an odd number of triangles have is a
+ * border edge: a sheet that goes on beyond it has two of them, so one sheet ends there, as the end that is tied onto a
+ * seam does. Border edges are followed from class to class, forwards where the sides of the panels agree. At a class
+ * where several loops touch, the walk stays with the panel that it came on.
  */
 #include <string.h>
 
@@ -28,7 +29,18 @@ static int loop_by_classes(const void *a, const void *b)
 }
 
 
-/* the edges of all triangles that one triangle alone has, in order of their classes; returns how many */
+/* of the edges i .. end - 1 of the same classes, an odd number, one that runs as most of them do */
+static int32_t loop_odd(const loop_edge *edge, int32_t i, int32_t end, const int32_t *class_of)
+{
+    int32_t forwards = 0;
+    for (int32_t k = i; k < end; k++) forwards += class_of[edge[k].from] == edge[k].low;
+    const bool most = 2 * forwards > end - i;
+    while ((class_of[edge[i].from] == edge[i].low) != most) i++;
+    return i;
+}
+
+
+/* the edges that an odd number of triangles have, in order of their classes; returns how many */
 static int32_t loop_border(const mus_cloth *cloth, const int32_t *class_of, loop_edge *edge)
 {
     int32_t n = 0, border = 0;
@@ -40,7 +52,7 @@ static int32_t loop_border(const mus_cloth *cloth, const int32_t *class_of, loop
     mus__sort(edge, (size_t)n, sizeof *edge, loop_by_classes);
     for (int32_t i = 0, next; i < n; i = next) {
         for (next = i + 1; next < n && edge[next].low == edge[i].low && edge[next].high == edge[i].high;) next++;
-        if (next == i + 1) edge[border++] = edge[i];
+        if ((next - i) % 2 == 1) edge[border++] = edge[loop_odd(edge, i, next, class_of)];
     }
     return border;
 }

@@ -10,6 +10,7 @@
 #include "drape/scenes.h"
 #include "drape/worn.h"
 #include "fit/worn_check.h"
+#include "fit/worn_internal.h"
 #include "selfcontact/crossing_count.h"
 
 typedef struct defect {
@@ -178,6 +179,38 @@ END_TEST
 
 
 /* leggings of a child on a man: the waist is told before anything is sewn; of his own size nothing is */
+/* a tie adds a third sheet at a seam and closes no opening: the loops of a dress that wraps are those of the same dress
+ * with its fronts untied, edge for edge */
+START_TEST(a_tied_front_has_the_openings_of_an_untied_one)
+{
+    worn w = worn_body("W40");
+    mus_cloth_def cut;
+    double length[2][3];
+    worn_put_on_design(&w, "wrap_dress", NULL);
+    for (int32_t open = 0; open < 2; open++) {
+        mus__worn_loops loops;
+        mus_cloth *cloth;
+        ck_assert_int_eq(mus_pattern_open_closures(w.pattern, open, NULL), MUS_OK);
+        mus_cloth_def_init(&cut, sizeof cut);
+        cut.spacing = 0.02;
+        ck_assert_int_eq(mus_cloth_create(w.context, w.pattern, &cut, &cloth), MUS_OK);
+        ck_assert_int_eq(mus__worn_loops_make(w.context, cloth, &loops), MUS_OK);
+        ck_assert_int_eq(loops.nloop, 3);
+        for (int32_t i = 0; i < 3; i++) {
+            int32_t k = i;
+            for (; k > 0 && length[open][k - 1] > loops.loop[i].length; k--) length[open][k] = length[open][k - 1];
+            length[open][k] = loops.loop[i].length;
+        }
+        mus__worn_loops_free(&loops);
+        mus_cloth_destroy(cloth);
+    }
+    for (int32_t i = 0; i < 3; i++) ck_assert_double_eq_tol(length[0][i], length[1][i], 1e-9);
+    ck_assert_double_gt(length[0][2], 4.0); /* neck, both edges and hem in one [m] */
+    worn_end(&w);
+}
+END_TEST
+
+
 START_TEST(what_is_far_too_tight_is_told_before_it_is_sewn)
 {
     static const struct {
@@ -240,6 +273,7 @@ Suite *mus_suite_worn(void)
     Suite *suite = suite_create("worn");
     TCase *tests = tcase_create("worn");
     tcase_set_timeout(tests, 60.0);
+    tcase_add_test(tests, a_tied_front_has_the_openings_of_an_untied_one);
     tcase_add_loop_test(tests, what_is_far_too_tight_is_told_before_it_is_sewn, 0, 2);
     tcase_add_loop_test(tests, a_waist_that_nothing_carries_is_low, 0, 2);
     tcase_add_loop_test(tests, each_defect_is_named, 0, (int)(sizeof defects / sizeof *defects));

@@ -218,6 +218,7 @@ void mus__closure_lap(mus__board *board, int32_t side, double lap, const char *m
 void mus__closure_finish(mus__half *half)
 {
     if (half->board.status == MUS_OK) closure_seams(half);
+    mus__wrap_finish(half);
 
     /* marks the ends of a zip of 18 cm about the waist in the left side seam */
     mus__board *board = &half->board;

@@ -2,12 +2,13 @@
  * closure.h: where a garment opens: fronts that button, zips, bands and cuffs whose ends lap. A closure is drawn done
  * up, a seam that a cloth can leave open (half/half_garment.h).
  *
- * closure.c has the centre lines of a top and what all that lap share; waist_opening.c has skirts and trousers.
+ * closure.c has the centre lines of a top and what all that lap share; waist_opening.c has skirts and trousers;
+ * wrap_front.c has fronts that go round and are tied.
  */
 #ifndef MUS_CLOSURE_H
 #define MUS_CLOSURE_H
 
-#include "half/half_garment.h"
+#include "half/panel_outline.h"
 
 #define MUS__ZIP_SEAM (1.5 * MUS__CM) /* [m] allowance of a bodice's seam that a zip is set in; dressmaking practice   \
                                        */
@@ -38,7 +39,25 @@ void mus__waist_zip(mus__half *half, int32_t n, const int32_t *waist);
 /* Lets the zip of a bodice that opens behind go on below its waist; a centre back that is a fold becomes a seam. */
 void mus__waist_zip_below(mus__half *half, int32_t n, const int32_t *waist);
 
+/* ---- wrap_front.c, on the half ---- */
+
+#define MUS__TIE (3.0 * MUS__CM) /* [m] width of a tie and of what it holds; chosen: the trade has 2.5 to 4 cm */
+
+/* Whether the fronts wrap. */
+bool mus__wraps(const mus__half *half);
+/* Length of the waist beyond the centre, of a front whose own is `waist` long with its darts closed [m]. */
+double mus__wrap_lap(double waist);
+/* Begins the outline of a front that wraps with "tie" and "lap", in place of its centre; draws the neck from the side
+ * neck to the tie. waist: its length to the side with the darts closed [m]; `side`: the side seam from the waist up. */
+void mus__wrap_outline(const mus__half *half, double waist, const mus__chain *side, mus__chain *neck,
+                       mus__outline *outline);
+/* Splits the sewn side seam of the front where the other front is tied to it, and marks the slot. */
+void mus__wrap_hold(mus__half *half, int32_t panel);
+
 /* ---- after mus__board_double() ---- */
+
+/* Ties both fronts; the left one lies over the right one. */
+void mus__wrap_finish(mus__half *half);
 
 /* Sets the closures of the centre seams of a top, and marks the ends of a zip in the left side seam. */
 void mus__closure_finish(mus__half *half);

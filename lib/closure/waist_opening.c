@@ -59,7 +59,7 @@ int32_t mus__waist_opens(const mus__half *half, int32_t n, const int32_t *waist)
         return MUS__CLOSURE_NONE;
     if (closure == MUS__CLOSURE_FRONT && opening_seam(half, board->side[waist[n - 1]].next)) return closure;
     if (closure == MUS__CLOSURE_BACK && opening_seam(half, board->side[waist[0]].prev)) return closure;
-    return closure == MUS__CLOSURE_NONE ? closure : MUS__CLOSURE_SIDE;
+    return closure == MUS__CLOSURE_NONE || mus__wraps(half) ? MUS__CLOSURE_NONE : MUS__CLOSURE_SIDE;
 }
 
 

@@ -82,7 +82,7 @@ const mus__design_row mus__designs_dress[] = {
     {"shift", "dress_shift", "Shift dress", "dress shape=boxy skirt=a_line closure=back", W | C},
     {"princess_dress", "dress_princess", "Princess dress", "dress shape=princess_shoulder skirt=gored6", W},
     {"fit_and_flare", "dress_flare", "Fit and flare dress", "dress neck=scoop skirt=half", W},
-    {"wrap_dress", "dress_wrap", "Wrap dress", "dress neck=deep_v sleeve=three_quarter skirt=wrap closure=side", W},
+    {"wrap_dress", "dress_wrap", "Wrap dress", "dress neck=deep_v sleeve=three_quarter skirt=wrap closure=wrap", W},
     {"shirt_dress", "dress_shirt", "Shirt dress", "dress sleeve=long collar=shirt skirt=a_line cuff=cuff", W},
     {"regency", "dress_empire", "Empire dress (regency)",
      "dress neck=square sleeve=puff shape=empire skirt=gathered length=maxi", W},

@@ -222,17 +222,12 @@ mus_status mus__style_read_option(mus_context *context, const char *word, size_t
 }
 
 
-/* the i-th choice of an axis that was not named; MUS_NONE after the last */
+/* the i-th choice of an axis that was not named; MUS_NONE after the last. Trousers open in front, all else behind */
 static int32_t words_choice(const mus__style *style, int32_t axis, int32_t i)
 {
-    static const int32_t closures[2][5] = {
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_BACK, MUS__CLOSURE_FRONT, MUS__CLOSURE_SIDE,
-         MUS__CLOSURE_SEAMS},
-        {MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE,
-         MUS__CLOSURE_SEAMS},
-    };
     if (mus__style_word(axis, i) == NULL) return MUS_NONE;
-    if (axis == MUS__AXIS_CLOSURE) return closures[style->option[0] == MUS__GARMENT_TROUSERS][i];
+    const bool opens = axis == MUS__AXIS_CLOSURE && (i == MUS__CLOSURE_FRONT || i == MUS__CLOSURE_BACK);
+    if (opens && style->option[0] != MUS__GARMENT_TROUSERS) return MUS__CLOSURE_FRONT + MUS__CLOSURE_BACK - i;
     if (axis != MUS__AXIS_SHAPE || style->option[MUS__AXIS_CLOTH] != MUS__CLOTH_KNIT) return i;
     return i == 0 ? MUS__SHAPE_BOXY : i - 1; /* boxy is the last option */
 }

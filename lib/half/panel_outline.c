@@ -34,6 +34,24 @@ void mus__outline_line(mus__outline *outline, const char *name, const char *labe
 }
 
 
+void mus__outline_append(mus__outline *outline, const mus__outline *more)
+{
+    for (int32_t i = 0; i < more->n; i++) {
+        const mus__outline_edge *edge = &more->edge[i];
+        mus__outline_add(outline, edge->name, edge->label, edge->allowance, &edge->chain);
+    }
+}
+
+
+double mus__outline_length(const mus__outline *outline, const char *label)
+{
+    double length = 0.0;
+    for (int32_t i = 0; i < outline->n; i++)
+        if (strcmp(outline->edge[i].label, label) == 0) length += mus__chain_length(&outline->edge[i].chain);
+    return length;
+}
+
+
 int32_t mus__outline_panel(mus__half *half, const mus__outline *outline, const char *name, const char *label,
                            bool mirror)
 {

@@ -29,6 +29,10 @@ void mus__outline_add(mus__outline *outline, const char *name, const char *label
 /* adds a straight edge */
 void mus__outline_line(mus__outline *outline, const char *name, const char *label, double allowance,
                        const double *start, const double *end);
+/* adds the edges of another outline */
+void mus__outline_append(mus__outline *outline, const mus__outline *more);
+/* length of its edges with a label [m] */
+double mus__outline_length(const mus__outline *outline, const char *label);
 /* makes the outline, or with `mirror` its image in x = 0 in reverse order, a panel of the half. Returns its index */
 int32_t mus__outline_panel(mus__half *half, const mus__outline *outline, const char *name, const char *label,
                            bool mirror);

@@ -17,7 +17,7 @@
     X(SHAPE, "shape", "side_waist", "waist", "shoulder_waist", "french", "princess_shoulder", "princess_armhole",      \
       "neck_gathers", "cf_gathers", "empire", "boxy")                                                                  \
     X(COLLAR, "collar", "none", "mandarin", "shirt", "peter_pan", "turtleneck", "hood", "shawl", "sailor")             \
-    X(CLOSURE, "closure", "none", "front", "back", "side", "seams")                                                    \
+    X(CLOSURE, "closure", "none", "front", "back", "side", "seams", "wrap")                                            \
     X(TOP_LENGTH, "top_length", "hip", "crop", "waist", "tunic")                                                       \
     X(SKIRT, "skirt", "straight", "pencil", "a_line", "gored4", "gored6", "gored8", "quarter", "half",                 \
       "three_quarter", "full", "gathered", "knife", "box", "tiered", "wrap", "godet", "trumpet", "block", "plain")     \
@@ -52,7 +52,8 @@ enum { MUS__SHAPE_SIDE_WAIST, MUS__SHAPE_WAIST, MUS__SHAPE_SHOULDER_WAIST, MUS__
        MUS__SHAPE_EMPIRE, MUS__SHAPE_BOXY };
 enum { MUS__COLLAR_NONE, MUS__COLLAR_MANDARIN, MUS__COLLAR_SHIRT, MUS__COLLAR_PETER_PAN, MUS__COLLAR_TURTLENECK,
        MUS__COLLAR_HOOD, MUS__COLLAR_SHAWL, MUS__COLLAR_SAILOR };
-enum { MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE, MUS__CLOSURE_SEAMS };
+enum { MUS__CLOSURE_NONE, MUS__CLOSURE_FRONT, MUS__CLOSURE_BACK, MUS__CLOSURE_SIDE, MUS__CLOSURE_SEAMS,
+       MUS__CLOSURE_WRAP };
 enum { MUS__TOP_LENGTH_HIP, MUS__TOP_LENGTH_CROP, MUS__TOP_LENGTH_WAIST, MUS__TOP_LENGTH_TUNIC };
 enum { MUS__SKIRT_STRAIGHT, MUS__SKIRT_PENCIL, MUS__SKIRT_A_LINE, MUS__SKIRT_GORED4, MUS__SKIRT_GORED6,
        MUS__SKIRT_GORED8, MUS__SKIRT_QUARTER, MUS__SKIRT_HALF, MUS__SKIRT_THREE_QUARTER, MUS__SKIRT_FULL,

@@ -16,6 +16,7 @@ static const mus__language_row names_es[] = {
     {"edge.flap", "cartera"}, {"edge.free edge", "borde libre"}, {"edge.front", "borde delantero"},
     {"edge.hem", "bajo"}, {"edge.in", "borde interior"}, {"edge.in low", "borde interior bajo"},
     {"edge.inner", "borde interior"}, {"edge.inseam", "entrepierna"}, {"edge.join", "borde de unión"},
+    {"edge.lap", "cruce"},
     {"edge.leg", "bajo de pierna"}, {"edge.low", "borde bajo"}, {"edge.mouth", "boca del bolsillo"},
     {"edge.neck", "escote"}, {"edge.neck back", "escote trasero"}, {"edge.neck front", "escote delantero"},
     {"edge.open", "abertura"}, {"edge.opening", "abertura"}, {"edge.out", "borde exterior"},

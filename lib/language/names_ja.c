@@ -12,6 +12,7 @@ static const mus__language_row names_ja[] = {
     {"edge.empire", "ハイウエスト切り替え"}, {"edge.end", "端"}, {"edge.end back", "後ろ端"}, {"edge.end front", "前端"},
     {"edge.face", "顔まわり"}, {"edge.flap", "フラップ"}, {"edge.free edge", "残りの縁"}, {"edge.front", "前端線"}, {"edge.hem", "裾"},
     {"edge.in", "内側線"}, {"edge.in low", "内側線下部"}, {"edge.inner", "内側線"}, {"edge.inseam", "股下"}, {"edge.join", "はぎ合わせ線"},
+    {"edge.lap", "重なり"},
     {"edge.leg", "裾口"}, {"edge.low", "下側線"}, {"edge.mouth", "ポケット口"}, {"edge.neck", "衿ぐり"}, {"edge.neck back", "後ろ衿ぐり"},
     {"edge.neck front", "前衿ぐり"}, {"edge.open", "あき"}, {"edge.opening", "あき"}, {"edge.out", "外側線"},
     {"edge.out low", "外側線下部"}, {"edge.outer", "外回り"}, {"edge.outseam", "脇線"}, {"edge.over", "袖上線"},

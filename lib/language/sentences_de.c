@@ -69,6 +69,7 @@ static const mus__language_row sentences_de[] = {
     {"mark.pocket", "Tasche"},
     {"mark.pocket opening", "Tascheneingriff"},
     {"mark.slit", "Schlitz"},
+    {"mark.slot", "Durchlass"},
     {"mark.stand end", "Ende des Stegs"},
     {"mark.tie", "Bindeband"},
     {"mark.underlap", "Untertritt"},
@@ -154,6 +155,14 @@ static const mus__language_row sentences_de[] = {
      "Eingriffe säumen ({1}), die übrigen Kanten einschlagen und diese an der Linie aufsteppen auf: {0}."},
     {"step.sew", "Nähen:"},
     {"step.sew_in_one", "In einem Zug nähen:"},
+    {"step.slot",
+     "Beim Schließen der linken Seitennaht den Durchlass offen lassen, der auf {0} markiert ist, von der Taille "
+     "bis zu den drei Knipsen: Dort geht das lange Bindeband hinaus."},
+    {"step.tie_make", "Der Länge nach falten, die lange Kante und ein Ende nähen, wenden und bügeln: {0}."},
+    {"step.ties",
+     "Das kurze Bindeband an das Ende des linken Vorderteils nähen, das oben liegt, das lange an das Ende des "
+     "rechten. Beim Anziehen das lange Band durch den Durchlass und um die Taille führen und mit dem kurzen "
+     "binden:"},
     {"step.turn", "Kante säumen – {0}: {1}, insgesamt {2}. Nach innen umschlagen und feststeppen."},
     {"step.turn_elastic",
      "Kante säumen – {0}: {1}, insgesamt {2}. Nach innen umschlagen und feststeppen, dabei eine Öffnung lassen; "

@@ -69,6 +69,7 @@ static const mus__language_row sentences_en[] = {
     {"mark.pocket", "pocket"},
     {"mark.pocket opening", "pocket opening"},
     {"mark.slit", "slit"},
+    {"mark.slot", "slot"},
     {"mark.stand end", "end of the stand"},
     {"mark.tie", "tie"},
     {"mark.underlap", "underlap"},
@@ -153,6 +154,13 @@ static const mus__language_row sentences_en[] = {
      "Hem the openings of the {1}, turn the other edges in, and stitch these along their line on: {0}."},
     {"step.sew", "Sew:"},
     {"step.sew_in_one", "Sew, in one go:"},
+    {"step.slot",
+     "When the left side seam is sewn, leave it open at the slot marked on {0}, from the waist up to the three "
+     "notches: the long tie goes out there."},
+    {"step.tie_make", "Fold lengthwise, stitch the long edge and one end, turn and press: {0}."},
+    {"step.ties",
+     "Sew the short tie to the end of the left front, which lies on top, and the long tie to the end of the right "
+     "front. To wear it, lead the long tie out through the slot and round the waist, and tie it to the short one:"},
     {"step.turn", "Finish the {0} of {1}, {2} in all: turn to the wrong side and stitch."},
     {"step.turn_elastic",
      "Finish the {0} of {1}, {2} in all: turn to the wrong side and stitch, with a gap; draw the elastic in and "

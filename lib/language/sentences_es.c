@@ -70,6 +70,7 @@ static const mus__language_row sentences_es[] = {
     {"mark.pocket", "bolsillo"},
     {"mark.pocket opening", "abertura del bolsillo"},
     {"mark.slit", "abertura"},
+    {"mark.slot", "ranura"},
     {"mark.stand end", "final de la tirilla"},
     {"mark.tie", "lazo"},
     {"mark.underlap", "cruce inferior"},
@@ -158,6 +159,13 @@ static const mus__language_row sentences_es[] = {
      "Hacer el dobladillo de las aberturas ({1}), doblar los demás bordes y pespuntearlos sobre su línea en: {0}."},
     {"step.sew", "Coser:"},
     {"step.sew_in_one", "Coser, de una sola vez:"},
+    {"step.slot",
+     "Al cerrar la costura lateral izquierda, dejar abierta la ranura marcada en {0}, desde la cintura hasta los "
+     "tres piquetes: por ella sale el lazo largo."},
+    {"step.tie_make", "Doblar a lo largo, coser el borde largo y un extremo, volver y planchar: {0}."},
+    {"step.ties",
+     "Coser el lazo corto al extremo del delantero izquierdo, que queda encima, y el largo al del derecho. Al "
+     "vestirse, sacar el lazo largo por la ranura, llevarlo alrededor de la cintura y atarlo al corto:"},
     {"step.turn", "Rematar el borde ({0}: {1}, {2} en total): doblar hacia el revés y pespuntear."},
     {"step.turn_elastic",
      "Rematar el borde ({0}: {1}, {2} en total): doblar hacia el revés y pespuntear dejando una abertura; pasar el "

@@ -70,6 +70,7 @@ static const mus__language_row sentences_fr[] = {
     {"mark.pocket", "poche"},
     {"mark.pocket opening", "ouverture de poche"},
     {"mark.slit", "fente"},
+    {"mark.slot", "passage"},
     {"mark.stand end", "bout du pied de col"},
     {"mark.tie", "lien"},
     {"mark.underlap", "sous-patte"},
@@ -162,6 +163,14 @@ static const mus__language_row sentences_fr[] = {
      "Ourler les ouvertures ({1}), replier les autres bords et piquer ceux-ci le long du repère sur : {0}."},
     {"step.sew", "Assembler :"},
     {"step.sew_in_one", "Assembler, en une seule fois :"},
+    {"step.slot",
+     "En fermant la couture de côté gauche, laisser ouvert le passage marqué sur {0}, de la taille aux trois "
+     "crans : le long lien y sort."},
+    {"step.tie_make", "Plier en longueur, piquer le long côté et un bout, retourner et repasser : {0}."},
+    {"step.ties",
+     "Coudre le lien court au bout du devant gauche, qui est dessus, et le lien long au bout du devant droit. "
+     "Pour s’habiller, faire sortir le lien long par le passage, le mener autour de la taille et le nouer au "
+     "court :"},
     {"step.turn", "Finir le bord ({0} : {1}, {2} en tout) : replier sur l’envers et piquer."},
     {"step.turn_elastic",
      "Finir le bord ({0} : {1}, {2} en tout) : replier sur l’envers et piquer en laissant une ouverture ; enfiler "

@@ -69,6 +69,7 @@ static const mus__language_row sentences_pt[] = {
     {"mark.pocket", "bolso"},
     {"mark.pocket opening", "abertura do bolso"},
     {"mark.slit", "fenda"},
+    {"mark.slot", "passagem"},
     {"mark.stand end", "fim do pé de gola"},
     {"mark.tie", "amarração"},
     {"mark.underlap", "transpasse inferior"},
@@ -158,6 +159,13 @@ static const mus__language_row sentences_pt[] = {
     {"step.pouch", "Fazer a bainha das aberturas ({1}), virar as outras bordas e pespontá-las na marcação em: {0}."},
     {"step.sew", "Costurar:"},
     {"step.sew_in_one", "Costurar, de uma só vez:"},
+    {"step.slot",
+     "Ao fechar a costura lateral esquerda, deixar aberta a passagem marcada em {0}, da cintura até os três "
+     "piques: por ela sai a amarração longa."},
+    {"step.tie_make", "Dobrar ao comprido, costurar a borda longa e uma ponta, virar e passar: {0}."},
+    {"step.ties",
+     "Costurar a amarração curta à ponta da frente esquerda, que fica por cima, e a longa à da frente "
+     "direita. Ao vestir, tirar a longa pela passagem, levá-la em volta da cintura e atá-la à curta:"},
     {"step.turn", "Arrematar a borda ({0}: {1}, {2} no total): virar para o avesso e pespontar."},
     {"step.turn_elastic",
      "Arrematar a borda ({0}: {1}, {2} no total): virar para o avesso e pespontar deixando uma abertura; passar o "

@@ -15,10 +15,11 @@
 
 /* what a step does, in the order of the work */
 typedef enum mus__sewing_kind {
-    MUS__SEWING_DART,   /* darts, and the layers of pleats */
-    MUS__SEWING_PATCH,  /* panels onto lines inside others */
-    MUS__SEWING_SEAM,   /* seams, and zips */
-    MUS__SEWING_BUTTONS /* closures with buttons */
+    MUS__SEWING_DART,    /* darts, and the layers of pleats */
+    MUS__SEWING_PATCH,   /* panels onto lines inside others */
+    MUS__SEWING_SEAM,    /* seams, and zips */
+    MUS__SEWING_BUTTONS, /* closures with buttons */
+    MUS__SEWING_TIES     /* fronts that are tied */
 } mus__sewing_kind;
 
 /* a seam; side 0 is the patch, else the side whose words come first */

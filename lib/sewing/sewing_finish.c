@@ -36,6 +36,7 @@ static const struct {
 } finish_parts[] = {
     {"fly", "step.fly", false},
     {"loop", "step.loop", true},
+    {"tie", "step.tie_make", false}, /* of a front that is tied, whose ends are told with its seams */
     {"", "step.part", false},
 };
 
@@ -254,6 +255,15 @@ static bool part_edges(const mus__instructions *job, int32_t panel, bool free)
 }
 
 
+/* has the garment a front that is tied? */
+static bool part_tied(const mus__instructions *job)
+{
+    int32_t i = 0;
+    while (i < job->sewing.n && job->sewing.sewn[i].kind != MUS__SEWING_TIES) i++;
+    return i < job->sewing.n;
+}
+
+
 /* place in finish_parts of a panel that no edge or mark asks for; MUS_NONE for all others */
 static int32_t part_of(const mus__instructions *job, int32_t panel)
 {
@@ -268,7 +278,7 @@ static int32_t part_of(const mus__instructions *job, int32_t panel)
         if (mus_pattern_mark(job->pattern, i, NULL, &name, NULL, NULL) == MUS_OK && strcmp(name, label) == 0)
             return MUS_NONE;
     for (int32_t k = 0; k < parts - 1; k++)
-        if (strcmp(finish_parts[k].label, label) == 0) return k;
+        if (strcmp(finish_parts[k].label, label) == 0 && (strcmp(label, "tie") != 0 || part_tied(job))) return k;
     return parts - 1;
 }
 

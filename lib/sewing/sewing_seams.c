@@ -15,6 +15,7 @@ static mus__sewing_kind seam_kind(const mus__sewing *sewing, const mus_seam_def 
     const mus_pattern *pattern = sewing->pattern;
     int32_t a[2], b[2];
     if (def->closure == MUS_CLOSURE_BUTTONS) return MUS__SEWING_BUTTONS;
+    if (def->closure == MUS_CLOSURE_TIES) return MUS__SEWING_TIES;
     if (def->laid) return MUS__SEWING_DART;
     if (sewing->passes[def->edge_a] > 1 || sewing->passes[def->edge_b] > 1) return MUS__SEWING_PATCH;
     if (def->closure != MUS_CLOSURE_NONE ||
@@ -92,7 +93,8 @@ static void seam_read(const mus__sewing *sewing, int32_t seam, mus__sewn *out)
     out->kind = seam_kind(sewing, &def);
     out->edge[0] = def.edge_a;
     out->edge[1] = def.edge_b;
-    if (out->kind == MUS__SEWING_PATCH ? sewing->passes[def.edge_a] > 1 : seam_after(pattern, def.edge_a, def.edge_b))
+    const bool after = seam_after(pattern, def.edge_a, def.edge_b); /* of a tie the end that it holds is first */
+    if (out->kind == MUS__SEWING_PATCH ? sewing->passes[def.edge_a] > 1 : after && out->kind != MUS__SEWING_TIES)
         seam_swap(out->edge);
     for (int32_t k = 0; k < 2; k++) {
         out->panel[k] = mus_pattern_edge_panel(pattern, out->edge[k]);
@@ -109,7 +111,7 @@ static void seam_read(const mus__sewing *sewing, int32_t seam, mus__sewn *out)
     out->tolerance = def.tolerance;
     out->buttons = seam_buttons(pattern, &def);
     out->zip = def.closure == MUS_CLOSURE_ZIP;
-    out->laid = def.laid != 0;
+    out->laid = def.laid != 0 && out->kind == MUS__SEWING_DART;
 }
 
 

@@ -292,6 +292,9 @@ static void tell_preparation(mus__instructions *job)
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
     mus__list_step(job, &phrase, "step.pleats");
+    for (int32_t i = 0; i < panels; i++)
+        if (mus__tell_has_mark(job->pattern, i, "slot")) mus__list_add(job, job->pattern, i);
+    mus__list_step(job, &phrase, "step.slot");
     tell_plackets(job);
     tell_patches(job);
     mus__tell_parts(job, false);
@@ -432,7 +435,7 @@ static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t c
 /* write what a step is called, by what it does to the work */
 static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool pleats, bool several)
 {
-    static const char *const keys[] = {"step.darts", "step.lay_on", NULL, "step.buttons"};
+    static const char *const keys[] = {"step.darts", "step.lay_on", NULL, "step.buttons", "step.ties"};
     const bool closes = step->rings > 0 && step->joins <= 0;
     const mus__phrase phrase = mus__phrase_in(job->language);
     const char *key = keys[step->kind];
@@ -443,15 +446,15 @@ static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool
 }
 
 
-/* write the steps of `seams`, sorted by step and phrase: the buttons, or all others */
-static void tell_steps(mus__instructions *job, mus__sewn *const *seams, bool buttons)
+/* write the steps of `seams`, sorted by step and phrase: those of what fastens, or all others */
+static void tell_steps(mus__instructions *job, mus__sewn *const *seams, bool fastens)
 {
     const int32_t n = job->sewing.n;
     for (int32_t i = 0, end; i < n; i = end) {
         bool pleats = false;
         for (end = i; end < n && seams[end]->step == seams[i]->step; end++) pleats = pleats || seams[end]->laid;
         const mus__sewing_step *step = &job->sewing.steps[seams[i]->step];
-        if ((step->kind == MUS__SEWING_BUTTONS) != buttons) continue;
+        if ((step->kind >= MUS__SEWING_BUTTONS) != fastens) continue;
         tell_head(job, step, pleats, !group_same(seams[i], seams[end - 1]));
         for (int32_t k = i, next; k < end; k = next) {
             for (next = k + 1; next < end && group_same(seams[k], seams[next]);) next++;

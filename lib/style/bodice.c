@@ -132,7 +132,7 @@ static void torso_sew_darts(mus__half *half, int32_t panel)
 static void torso_draw(mus__half *half, mus__top *top, int32_t which)
 {
     const bool front = which == MUS__TOP_FRONT;
-    mus__outline outline, side;
+    mus__outline outline, side, waist;
     mus__chain chain;
 
     /* centre down, hem out, side up */
@@ -141,13 +141,14 @@ static void torso_draw(mus__half *half, mus__top *top, int32_t which)
     mus__top_side(half, top, front, &side);
     const mus__chain *neck = &top->neck[which], *low = &side.edge[0].chain;
     const double *head = neck->xy + 2 * (neck->nxy - 1), foot[2] = {0.0, top->hem};
-    mus__chain_line(&chain, head, foot);
-    mus__outline_add(&outline, front ? "cf" : "cb", "centre", MUS__SEAM_ALLOWANCE, &chain);
-    mus__top_low(half, top, which, low->xy, &outline);
-    for (int32_t i = 0; i < side.n; i++) {
-        const mus__outline_edge *edge = &side.edge[i];
-        mus__outline_add(&outline, edge->name, edge->label, edge->allowance, &edge->chain);
-    }
+    mus__outline_begin(&waist);
+    mus__top_low(half, top, which, low->xy, &waist);
+    if (front && mus__wraps(half))
+        mus__wrap_outline(half, mus__outline_length(&waist, "waist"), low, &top->neck[which], &outline);
+    else
+        mus__outline_line(&outline, front ? "cf" : "cb", "centre", MUS__SEAM_ALLOWANCE, head, foot);
+    mus__outline_append(&outline, &waist);
+    mus__outline_append(&outline, &side);
 
     /* armhole, shoulder, neck */
     if (top->arm[which].npiece > 0)
@@ -219,6 +220,7 @@ void mus__top_draft(mus__half *half)
     mus__closure_set(half);
     torso_sew(half, "shoulder");
     torso_sew(half, "side");
+    if (mus__wraps(half)) mus__wrap_hold(half, top.panel[MUS__TOP_FRONT]);
     if (!top.shoulder[MUS__TOP_BACK] && top.shoulder[MUS__TOP_FRONT]) mus__neckline_strap(half);
     mus__neckline_hold(half);
     torso_place(half, &top);

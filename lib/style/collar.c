@@ -172,7 +172,7 @@ void mus__collar_attach(mus__half *half)
     mus__board *board = &half->board;
     const int32_t style = half->style.option[MUS__AXIS_COLLAR];
     const double k = mus__measures_scale(&half->measures);
-    mus__board_opening_add(board, "neck");
+    if (!mus__wraps(half)) mus__board_opening_add(board, "neck"); /* one with its edges and the hem */
     if (board->status != MUS_OK || style == MUS__COLLAR_NONE) return;
     mus__neck neck;
     mus__stand stand;

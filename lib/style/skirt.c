@@ -9,6 +9,7 @@
 
 #include "base/elementary.h"
 #include "block/block_skirt.h"
+#include "closure/closure.h"
 #include "style/waist_edge.h"
 
 #define SKIRT_HEM_ALLOWANCE (4.0 * MUS__CM) /* [m] turned up at the hem of a straight skirt; dressmaking practice */
@@ -55,21 +56,37 @@ static void skirt_waist_parts(const mus__skirt_half *block, mus__chain *part)
 }
 
 
+/* the side from hem to waist */
+static void skirt_side_add(mus__outline *outline, const mus__skirt_half *block)
+{
+    mus__chain chain, low;
+    mus__chain_cubic(&chain, block->side_high);
+    mus__chain_cubic(&low, block->side_low);
+    mus__chain_append(&chain, &low);
+    mus__chain_reverse(&chain);
+    mus__outline_add(outline, "side", "side", MUS__SEAM_ALLOWANCE, &chain);
+}
+
+
+/* notch of the side seam at the hip level; the outline runs up the side of a front */
+static void skirt_side_notch(mus__half *half, int32_t panel, const mus__skirt_half *block)
+{
+    mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"),
+                         block->side_length - block->side_high_length, MUS_NOTCH_SINGLE);
+}
+
+
 /* hem, side, waist with its darts, centre down to the slit (0: none), which makes it a seam; a back is cut in two
  * halves unless it is `whole` */
 static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, bool front, double slit, bool whole)
 {
     mus__outline outline;
-    mus__chain chain, low, part[MUS__DARTS + 1];
+    mus__chain chain, part[MUS__DARTS + 1];
     const double *top = block->waist, *bottom = block->hem, open[2] = {0.0, bottom[1] + slit};
     mus__outline_begin(&outline);
     mus__chain_cubic(&chain, block->hem);
     mus__outline_add(&outline, "hem", "hem", SKIRT_HEM_ALLOWANCE, &chain);
-    mus__chain_cubic(&chain, block->side_high);
-    mus__chain_cubic(&low, block->side_low);
-    mus__chain_append(&chain, &low);
-    mus__chain_reverse(&chain);
-    mus__outline_add(&outline, "side", "side", MUS__SEAM_ALLOWANCE, &chain);
+    skirt_side_add(&outline, block);
     skirt_waist_parts(block, part);
     mus__lower_top(&outline, block->ndart, block->dart, part);
     mus__outline_line(&outline, "centre", "centre", MUS__SEAM_ALLOWANCE, top, slit > 0.0 ? open : bottom);
@@ -79,11 +96,44 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     mus__half_centre(half, panel, "centre", (front || whole) && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
     mus__half_darts(half, panel);
+    if (front) skirt_side_notch(half, panel, block);
+    return panel;
+}
 
-    /* notch of the side seam at the hip level; the outline runs up the side of a front */
-    if (front)
-        mus__board_notch_add(&half->board, mus__board_find(&half->board, panel, "side"),
-                             block->side_length - block->side_high_length, MUS_NOTCH_SINGLE);
+
+/* the front of a skirt that wraps, below a bodice that does: it goes on beyond the centre, with the hem of its mirror
+ * image, as far as the bodice above it, and ends in an edge straight down */
+static int32_t skirt_wrap_front(mus__half *half, const mus__skirt_half *block)
+{
+    mus__outline outline;
+    mus__chain chain, hem, part[MUS__DARTS + 1];
+    double lap[8], end[2];
+    const double length = mus__wrap_lap(mus__lower_net(half, true, 0.0, 0.0));
+
+    /* the waist as long as that above it, and the hem below it, both on the other side of the centre */
+    memcpy(lap, block->waist, sizeof lap);
+    for (int32_t i = 0; i < 20; i++) {
+        const double grow = length / mus__cubic_length(lap);
+        for (int32_t k = 0; k < 4; k++) lap[2 * k] *= grow;
+    }
+    for (int32_t i = 0; i < 4; i++) lap[2 * i] = -lap[2 * i];
+    mus__chain_cubic(&hem, block->hem);
+    mus__chain_cut(&hem, -lap[6], &chain);
+    mus__chain_mirror(&chain);
+    memcpy(end, chain.xy, sizeof end);
+    mus__chain_append(&chain, &hem);
+
+    mus__outline_begin(&outline);
+    mus__outline_add(&outline, "hem", "hem", SKIRT_HEM_ALLOWANCE, &chain);
+    skirt_side_add(&outline, block);
+    skirt_waist_parts(block, part);
+    mus__lower_top(&outline, block->ndart, block->dart, part);
+    mus__chain_cubic(&chain, lap);
+    mus__outline_add(&outline, "lap", "lap", MUS__SEAM_ALLOWANCE, &chain);
+    mus__outline_line(&outline, "edge", "hem", MUS__SEAM_ALLOWANCE, lap + 6, end);
+    const int32_t panel = mus__outline_panel(half, &outline, "skirt_front", "skirt", false);
+    mus__half_darts(half, panel);
+    skirt_side_notch(half, panel, block);
     return panel;
 }
 
@@ -95,7 +145,8 @@ static int32_t skirt_straight_draw(mus__half *half, const mus__skirt_def *def, c
     const mus_status status = mus__skirt_draft(half->context, def, &block);
     mus__half_failed(half, status);
     if (status != MUS_OK) return MUS_NONE;
-    const int32_t front = skirt_panel_draw(half, &block.front, true, slit[0], whole);
+    const int32_t front = mus__wraps(half) ? skirt_wrap_front(half, &block.front)
+                                           : skirt_panel_draw(half, &block.front, true, slit[0], whole);
     const int32_t back = skirt_panel_draw(half, &block.back, false, slit[1], whole);
     mus__half_sew(half, front, "side", back, "side", 0.0);
     const double width = fmax(block.front.hem_width, block.front.hip) + fmax(block.back.hem_width, block.back.hip);
@@ -186,7 +237,7 @@ static void skirt_wrap(mus__half *half)
     const double slit[2] = {def.length - 0.5 * def.depth, 0.0};
     def.flare = 0.10 * below;
     const int32_t front = skirt_straight_draw(half, &def, slit, false);
-    if (half->board.status != MUS_OK) return;
+    if (half->board.status != MUS_OK || mus__wraps(half)) return;
     skirt_lap(half, front, slit[0] - def.length, -def.length, 0.16 * (def.waist + def.hip));
 }
 
@@ -215,4 +266,7 @@ void mus__skirt_attach(mus__half *half)
     default: skirt_straight(half); break;
     }
     mus__lower_waist_sew(half, first);
+    if (mus__wraps(half))
+        mus__half_sew(half, mus__board_find_panel(&half->board, "front"), "lap",
+                      mus__board_find_panel(&half->board, "skirt_front"), "lap", 0.0);
 }

@@ -22,7 +22,7 @@ START_TEST(words_stand_in_the_order_of_their_numbers)
         {MUS__AXIS_SLEEVE, MUS__SLEEVE_TEE, "tee"},
         {MUS__AXIS_SHAPE, MUS__SHAPE_BOXY, "boxy"},
         {MUS__AXIS_COLLAR, MUS__COLLAR_SAILOR, "sailor"},
-        {MUS__AXIS_CLOSURE, MUS__CLOSURE_SEAMS, "seams"},
+        {MUS__AXIS_CLOSURE, MUS__CLOSURE_WRAP, "wrap"},
         {MUS__AXIS_TOP_LENGTH, MUS__TOP_LENGTH_TUNIC, "tunic"},
         {MUS__AXIS_SKIRT, MUS__SKIRT_PLAIN, "plain"},
         {MUS__AXIS_LENGTH, MUS__LENGTH_HI_LOW, "hi_low"},

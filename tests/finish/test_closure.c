@@ -1,7 +1,7 @@
 /*
  * test_closure.c: skirts and trousers open where their closure crosses the waist: the zip below and the ends of the
  * band above it meet in one point of the sewn garment, and one end is longer by the underlap. A law over all designs.
- * Fronts that button have their marks.
+ * Fronts that button have their marks, fronts that wrap their ties.
  */
 #include <math.h>
 #include <stdio.h>
@@ -327,6 +327,64 @@ START_TEST(a_zip_behind_goes_on_below_the_waist)
 END_TEST
 
 
+/* the two ties of a dress that wraps: each holds an end on the other front's side seam, as high as it is */
+static void ties_of(const mus_pattern *pattern)
+{
+    int32_t ties = 0;
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
+        mus_seam_def seam;
+        mus_seam_def_init(&seam, sizeof seam);
+        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        ck_assert_int_ne(seam.closure, MUS_CLOSURE_ZIP);
+        if (seam.closure != MUS_CLOSURE_TIES) continue;
+        const int32_t of = mus_pattern_edge_panel(pattern, seam.edge_a);
+        const int32_t to = mus_pattern_edge_panel(pattern, seam.edge_b);
+        ck_assert_str_eq(mus_pattern_edge_name(pattern, seam.edge_a), "tie");
+        ck_assert_str_eq(mus_pattern_edge_label(pattern, seam.edge_b), "side");
+        ck_assert_int_ne(of, to);
+        ck_assert_str_eq(mus_pattern_panel_label(pattern, of), mus_pattern_panel_label(pattern, to));
+        ck_assert_double_eq_tol(mus_pattern_edge_length(pattern, seam.edge_a),
+                                mus_pattern_edge_length(pattern, seam.edge_b), 1e-9);
+        ck_assert(seam.laid && seam.direction == MUS_SEAM_DIRECT);
+        ties++;
+    }
+    ck_assert_int_eq(ties, 2);
+}
+
+
+/* fronts that wrap: the part beyond the centre is as long as the other front and a little longer, so is that of the
+ * skirt; neck, edges and hem are one opening */
+START_TEST(a_front_that_wraps_is_tied_to_the_other_side)
+{
+    static const char *const sizes[] = {"W34", "W40", "W52", "M50", "C116"};
+    mus_context *context = support_context();
+    mus_tape *tape = drafts_tape(context, sizes[_i]);
+    mus_pattern *pattern;
+    mus_topology topology;
+    ck_assert_int_eq(
+        mus_design_draft_words(context, "dress sleeve=long neck=deep_v skirt=wrap closure=wrap", tape, NULL, &pattern),
+        MUS_OK);
+    ties_of(pattern);
+    const int32_t right = mus_pattern_find_panel(pattern, "front_right");
+    double waist = 0.0;
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
+        if (mus_pattern_edge_panel(pattern, i) == right && strcmp(mus_pattern_edge_label(pattern, i), "waist") == 0)
+            waist += mus_pattern_edge_length(pattern, i);
+    const double lap = drafts_length(pattern, "front_left", "lap");
+    ck_assert_double_eq_tol(lap, 1.17 * waist, 1e-6);
+    ck_assert_double_eq_tol(drafts_length(pattern, "skirt_front_left", "lap"), lap, 1e-6);
+    ck_assert_int_eq(mus_pattern_opening_count(pattern), 3);
+    for (int32_t i = 0; i < 3; i++) ck_assert_str_ne(mus_pattern_opening(pattern, i), "neck");
+    mus_topology_init(&topology, sizeof topology);
+    ck_assert_int_eq(mus_pattern_topology(pattern, &topology), MUS_OK);
+    ck_assert(topology.orientable && !topology.manifold);
+    mus_pattern_destroy(pattern);
+    mus_tape_destroy(tape);
+    support_context_end(context);
+}
+END_TEST
+
+
 Suite *mus_suite_closure(void);
 
 
@@ -340,6 +398,7 @@ Suite *mus_suite_closure(void)
     tcase_add_test(tcase, the_word_of_the_closure_says_where);
     tcase_add_test(tcase, a_front_that_buttons_has_buttonholes_and_one_stand);
     tcase_add_loop_test(tcase, a_zip_behind_goes_on_below_the_waist, 0, 5);
+    tcase_add_loop_test(tcase, a_front_that_wraps_is_tied_to_the_other_side, 0, 5);
     suite_add_tcase(suite, tcase);
     return suite;
 }

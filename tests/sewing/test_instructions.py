@@ -121,6 +121,14 @@ def test_zips_and_openings_of_pockets_are_told(tmp_path):
     assert "Hem the openings of the kangaroo pocket" in hoodie and "stretch the front rib from " in hoodie
 
 
+def test_a_wrap_is_told_with_its_slot_and_ties(tmp_path):
+    dress = instructions(draft("wrap_dress", tmp_path), tmp_path)
+    assert "leave it open at the slot marked on front, from the waist" in dress and "a zip of" not in dress
+    assert "turn and press: tie long, tie short.\n" in dress
+    assert re.search(r"Sew the short tie to the end of the left front.*:\n   - front: tie to side, 3\.0 cm", dress)
+    assert "the lap, 24.0 cm" in dress and "- tie long: cut 1\n- tie short: cut 1\n" in dress
+
+
 def test_bands_that_give_are_stretched_to_the_edge_that_they_are_sewn_to(tmp_path):
     """A casing of a knit and a rib, with both lengths; a woven casing does not give: what is longer is gathered."""
     leggings = instructions(draft("leggings", tmp_path), tmp_path)

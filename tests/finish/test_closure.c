@@ -45,15 +45,23 @@ static bool on_band(const mus_pattern *pattern, int32_t edge)
 }
 
 
+/* seam i of a pattern */
+static mus_seam_def seam_at(const mus_pattern *pattern, int32_t i)
+{
+    mus_seam_def seam;
+    mus_seam_def_init(&seam, sizeof seam);
+    ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+    return seam;
+}
+
+
 /* the only closure of the kind on a band or off it; MUS_NONE without one, *count of them */
 static int32_t closure_of(const mus_pattern *pattern, int32_t kind, bool band, int32_t *count, mus_seam_def *out)
 {
     int32_t found = MUS_NONE;
     *count = 0;
     for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
-        mus_seam_def seam;
-        mus_seam_def_init(&seam, sizeof seam);
-        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        const mus_seam_def seam = seam_at(pattern, i);
         if (seam.closure != kind || on_band(pattern, seam.edge_a) != band) continue;
         *out = seam;
         found = i;
@@ -65,9 +73,7 @@ static int32_t closure_of(const mus_pattern *pattern, int32_t kind, bool band, i
 
 static int32_t partner(const mus_pattern *pattern, int32_t edge)
 {
-    mus_seam_def seam;
-    mus_seam_def_init(&seam, sizeof seam);
-    ck_assert_int_eq(mus_pattern_seam(pattern, mus_pattern_edge_seam(pattern, edge), &seam), MUS_OK);
+    const mus_seam_def seam = seam_at(pattern, mus_pattern_edge_seam(pattern, edge));
     return seam.edge_a == edge ? seam.edge_b : seam.edge_a;
 }
 
@@ -87,9 +93,7 @@ static double eased(const mus_pattern *pattern)
 {
     double ease = 0.0;
     for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
-        mus_seam_def seam;
-        mus_seam_def_init(&seam, sizeof seam);
-        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        const mus_seam_def seam = seam_at(pattern, i);
         if (strcmp(mus_pattern_edge_label(pattern, seam.edge_a), "band") != 0) continue;
         ease += on_band(pattern, seam.edge_a) ? seam.ease : -seam.ease;
     }
@@ -332,9 +336,7 @@ static void ties_of(const mus_pattern *pattern)
 {
     int32_t ties = 0;
     for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
-        mus_seam_def seam;
-        mus_seam_def_init(&seam, sizeof seam);
-        ck_assert_int_eq(mus_pattern_seam(pattern, i, &seam), MUS_OK);
+        const mus_seam_def seam = seam_at(pattern, i);
         ck_assert_int_ne(seam.closure, MUS_CLOSURE_ZIP);
         if (seam.closure != MUS_CLOSURE_TIES) continue;
         const int32_t of = mus_pattern_edge_panel(pattern, seam.edge_a);

@@ -55,6 +55,7 @@ LIMITS = {  # [mm], angles [degrees]
 NESTS = {"W40": ["W36", "W40", "W44"], "M50": ["M46", "M50", "M54"], "C116": ["C104", "C116", "C128"]}
 CUT, SEW, NOTCH = (0.5, ()), (0.25, (3.0, 1.5)), (0.4, ())  # pens: width and dashes [mm]
 TOKEN = re.compile(rb"\[[^\]]*\]|/?[A-Za-z'\"*]+[0-9]*|-?[0-9.]+|<[^>]*>|\((?:\\.|[^\\)])*\)")
+WEIGHTS = [((1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t * t, t ** 3) for t in (k / 32.0 for k in range(1, 33))]
 
 
 # ---- the PDF: objects, pages, strokes ----
@@ -143,10 +144,8 @@ def strokes(page):
             parts[-1][1].append(place(*n[-2:]))
         elif token == b"c":
             p = [parts[-1][1][-1]] + [place(n[i], n[i + 1]) for i in (-6, -4, -2)]
-            for k in range(1, 33):
-                t = k / 32.0
-                w = ((1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t * t, t ** 3)
-                parts[-1][1].append(tuple(sum(w[i] * p[i][d] for i in range(4)) for d in (0, 1)))
+            (ax, ay), (bx, by), (cx, cy), (dx, dy) = p
+            parts[-1][1].extend((e * ax + f * bx + g * cx + h * dx, e * ay + f * by + g * cy + h * dy) for e, f, g, h in WEIGHTS)
         elif token == b"re":
             x, y, w, h = n[-4:]
             parts.append([True, [place(x, y), place(x + w, y), place(x + w, y + h), place(x, y + h)]])
@@ -213,7 +212,7 @@ def unfolded(whole, points):
     worst = abs(min(p[0] for p in whole) + max(p[0] for p in whole) - 2.0 * axis)
     if worst > 1.0:
         return worst
-    return max(worst, *(to_line((axis + abs(p[0] - axis), p[1]), line, closed=False) for p in whole))
+    return max(worst, worst_of([(axis + abs(p[0] - axis), p[1]) for p in whole], Line(line, closed=False)))
 
 
 def quarter(points):
@@ -274,14 +273,14 @@ def check_nest(command, design, sizes, folder, note):
 
 def unlike(points, other):
     """Worst distance of two lines that may be moved, mirrored and turned by a quarter."""
-    best = 1e9
+    best, ground = 1e9, Line(other)
     for way in (points, quarter(points)):
         for fx, fy in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
             turned = [(fx * p[0], fy * p[1]) for p in way]
             move = [min(p[d] for p in other) - min(p[d] for p in turned) for d in (0, 1)]
             line = [(p[0] + move[0], p[1] + move[1]) for p in turned]
             if max(abs(max(p[d] for p in other) - max(p[d] for p in line)) for d in (0, 1)) < 1.0:
-                best = min(best, max(*(to_line(p, other) for p in line), *(to_line(p, line) for p in other)))
+                best = min(best, max(worst_of(line, ground, best), worst_of(other, Line(line), best)))
     return best
 
 
@@ -390,16 +389,57 @@ def rigid(source, target):
     return best
 
 
+class Line:
+    """A polyline whose chords are filed by squares of the plane, so that a distance asks those nearby alone."""
+    SQUARE = 8.0  # [mm]
+
+    def __init__(self, points, closed=True):
+        ring = points + points[:1] if closed else points
+        self.box = tuple(f(p[d] for p in points) for f in (min, max) for d in (0, 1))
+        self.filed = {}
+        for a, b in zip(ring, ring[1:]):
+            (i, k), (j, l) = (sorted(int(q[d] // self.SQUARE) for q in (a, b)) for d in (0, 1))
+            for u in range(i, k + 1):
+                for v in range(j, l + 1):
+                    self.filed.setdefault((u, v), []).append((a, b))
+
+    def distance(self, p, most=1e9):
+        """Distance of p to the line, or one of at least `most` when it is no nearer."""
+        best, u, v = most, int(p[0] // self.SQUARE), int(p[1] // self.SQUARE)
+        edge = min(p[0] - u * self.SQUARE, p[1] - v * self.SQUARE, (u + 1) * self.SQUARE - p[0], (v + 1) * self.SQUARE - p[1])
+        far = max(self.box[2] - p[0], p[0] - self.box[0], self.box[3] - p[1], p[1] - self.box[1]) + 2.0 * self.SQUARE
+        r = 0
+        while best > edge + (r - 1) * self.SQUARE and (r - 1) * self.SQUARE < far:  # squares of a ring are as far as that
+            for i in range(u - r, u + r + 1):
+                for j in (range(v - r, v + r + 1) if i in (u - r, u + r) else (v - r, v + r)):
+                    for a, b in self.filed.get((i, j), ()):
+                        best = min(best, to_chord(p, a, b))
+            r += 1
+        return best
+
+
+def to_chord(p, a, b):
+    """Distance of p to the chord from a to b."""
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    d = dx * dx + dy * dy
+    t = max(0.0, min(1.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / d)) if d > 0 else 0.0
+    return math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy)
+
+
 def to_line(p, points, closed=True):
     """Distance of p to a polyline."""
-    best = 1e9
     ring = points + points[:1] if closed else points
-    for a, b in zip(ring, ring[1:]):
-        dx, dy = b[0] - a[0], b[1] - a[1]
-        d = dx * dx + dy * dy
-        t = max(0.0, min(1.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / d)) if d > 0 else 0.0
-        best = min(best, math.hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy))
-    return best
+    return min((to_chord(p, a, b) for a, b in zip(ring, ring[1:])), default=1e9)
+
+
+def worst_of(points, line, most=1e9):
+    """Distance of the point farthest from a Line, or one of at least `most` as soon as that is sure."""
+    worst = 0.0
+    for p in points:
+        worst = max(worst, line.distance(p, most))
+        if worst >= most:
+            break
+    return worst
 
 
 def inside(p, loops):
@@ -695,16 +735,19 @@ def lone_pages(pdf, tiles, size):
 
 def in_panels_order(panels, pieces):
     """Pieces in the order of their panels: a page shows them in the order of the sheet, several pages do not. Panels are
-    told apart by the lengths of their edges."""
+    told apart by the lengths of their edges, and those of one shape, as the front and back of a band, by their notches."""
     rest, out = list(pieces), []
     for part, panel in panels:
+        word = {edge for edge, _ in rim(panel["outline"])}
         own = sorted(length(edge_points(part, edge)) for edge, _ in rim(panel["outline"]))
+        slits = sum(notch["kind"] for notch in part.get("notches", []) if notch["edge"] in word)
 
         def unlike(piece, own=own):
             other = sorted(length(line) for line in piece["sew"])
             return max(abs(a - b) for a, b in zip(own, other)) if len(own) == len(other) else 1e9
         if rest:
-            best = min(range(len(rest)), key=lambda k: (round(unlike(rest[k]), 1), k))
+            best = min(range(len(rest)), key=lambda k, slits=slits: (round(unlike(rest[k]), 1),
+                                                                     abs(len(rest[k]["slits"]) - slits), k))
             out.append(rest.pop(best))
     return out + rest
 

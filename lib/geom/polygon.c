@@ -159,15 +159,20 @@ int32_t mus__polygon_winding(int32_t n, const double *xy, const double *p)
 
 double mus__polygon_distance(int32_t n, const double *xy, const double *p)
 {
-    double least = INFINITY;
+    /* the nearest side by squares; one root */
+    double least = INFINITY, x = INFINITY, y = 0.0;
     for (int32_t i = 0; i < n; i++) {
         const double *a = xy + 2 * i, *b = xy + 2 * polygon_next(n, i);
         double ux = b[0] - a[0], uy = b[1] - a[1], vx = p[0] - a[0], vy = p[1] - a[1];
         double square = ux * ux + uy * uy, t = square > 0.0 ? (ux * vx + uy * vy) / square : 0.0;
-        t = fmin(fmax(t, 0.0), 1.0);
-        least = fmin(least, mus__hypot(vx - t * ux, vy - t * uy));
+        t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+        const double dx = vx - t * ux, dy = vy - t * uy, own = dx * dx + dy * dy;
+        if (own >= least) continue;
+        least = own;
+        x = dx;
+        y = dy;
     }
-    return least;
+    return mus__hypot(x, y);
 }
 
 

@@ -19,17 +19,20 @@
 #define SHAPE_COVERED 0.9 /* part of the area after which no more circles than half the most are made; chosen */
 
 
-/* signed distance of a point to the outline, above 0 inside, and to the circles so far, above 0 outside: the lesser */
-static double shape_room(const mus__nest_shape *shape, int32_t npole, double x, double y)
+/* signed distance of a point to the outline, above 0 inside, and to the circles so far, above 0 outside: the lesser;
+ * any number up to least for a point that has no more than that */
+static double shape_room(const mus__nest_shape *shape, int32_t npole, double x, double y, double least)
 {
     const double p[2] = {x, y};
-    double room = mus__polygon_distance(shape->n, shape->xy, p);
-    if (mus__polygon_winding(shape->n, shape->xy, p) == 0) room = -room;
+    double room = HUGE_VAL;
     for (int32_t k = 0; k < npole; k++) {
         const double dx = x - (double)shape->poles.x[k], dy = y - (double)shape->poles.y[k];
         room = fmin(room, sqrt(dx * dx + dy * dy) - (double)shape->poles.r[k]);
     }
-    return room;
+    if (room <= least) return room;
+    const double side = mus__polygon_distance(shape->n, shape->xy, p);
+    if (side <= least) return side;
+    return fmin(room, mus__polygon_winding(shape->n, shape->xy, p) == 0 ? -side : side);
 }
 
 
@@ -48,7 +51,7 @@ static double shape_centre(const mus__nest_shape *shape, int32_t npole, const do
         for (int32_t k = 0; k < 8; k++) {
             static const double ways[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
             const double x = out[0] + ways[k][0] * step[0], y = out[1] + ways[k][1] * step[1];
-            const double room = shape_room(shape, npole, x, y);
+            const double room = shape_room(shape, npole, x, y, best);
             if (room <= best) continue;
             best = room;
             out[0] = x;
@@ -68,7 +71,7 @@ static void shape_poles(mus__nest_shape *shape, double *rooms)
     int32_t n = 0;
     for (int32_t i = 0; i < SHAPE_GRID * SHAPE_GRID; i++)
         rooms[i] = shape_room(shape, 0, (2.0 * (i % SHAPE_GRID + 0.5) / SHAPE_GRID - 1.0) * shape->half[0],
-                              (2.0 * ((int32_t)(i / SHAPE_GRID) + 0.5) / SHAPE_GRID - 1.0) * shape->half[1]);
+                              (2.0 * ((int32_t)(i / SHAPE_GRID) + 0.5) / SHAPE_GRID - 1.0) * shape->half[1], -HUGE_VAL);
     while (n < MUS__NEST_POLES && !(n >= MUS__NEST_POLES / 2 && covered > SHAPE_COVERED * area)) {
         double centre[2];
         const double r = shape_centre(shape, n, rooms, centre);

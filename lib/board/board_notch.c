@@ -103,12 +103,24 @@ void mus__board_match_notches(mus__board *board)
 }
 
 
+/* the side that follows a side on the rim: where a line into the panel and back begins at its end, the one after it */
+static int32_t joint_next(const mus__board *board, int32_t side)
+{
+    const double *end = mus__board_end(board, side);
+    int32_t next = board->side[side].next;
+    for (int32_t at = board->side[next].next; at != side; at = board->side[at].next) {
+        if (memcmp(mus__board_start(board, at), end, 2 * sizeof *end) == 0) next = at;
+    }
+    return next;
+}
+
+
 /* are two sides that follow each other one long edge: does the outline go on without a corner? */
 static bool joint_smooth(const mus__board *board, int32_t side)
 {
     double from[2], to[2];
     mus__board_at(board, side, board->side[side].length, NULL, from);
-    mus__board_at(board, board->side[side].next, 0.0, NULL, to);
+    mus__board_at(board, joint_next(board, side), 0.0, NULL, to);
     const double dot = from[0] * to[0] + from[1] * to[1];
     return dot >= NOTCH_SMOOTH * sqrt((from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]));
 }
@@ -127,9 +139,9 @@ static int32_t joint_partner(const mus__board *board, int32_t side)
 /* does a long edge have a joint of two others at the end of `side`? These do not go on as one long edge */
 static bool joint_at(const mus__board *board, int32_t side)
 {
-    const int32_t p = joint_partner(board, side), q = joint_partner(board, board->side[side].next);
+    const int32_t p = joint_partner(board, side), q = joint_partner(board, joint_next(board, side));
     if (p == MUS_NONE || q == MUS_NONE || !joint_smooth(board, side)) return false;
-    const int32_t before = board->side[q].next == p ? q : board->side[p].next == q ? p : MUS_NONE;
+    const int32_t before = joint_next(board, q) == p ? q : joint_next(board, p) == q ? p : MUS_NONE;
     return before == MUS_NONE || !joint_smooth(board, before);
 }
 
@@ -155,7 +167,8 @@ void mus__board_notch_joints(mus__board *board)
         if (side->panel == MUS_NONE || !joint_at(board, i) || notch_near(board, i, side->length, NOTCH_APART, 0))
             continue;
         /* on the side whose name comes first, so that mirror images are alike */
-        const bool own = joint_in_order(side->name, board->side[side->next].name);
-        mus__board_notch_add(board, own ? i : side->next, own ? side->length : 0.0, MUS_NOTCH_SINGLE);
+        const int32_t next = joint_next(board, i);
+        const bool own = joint_in_order(side->name, board->side[next].name);
+        mus__board_notch_add(board, own ? i : next, own ? side->length : 0.0, MUS_NOTCH_SINGLE);
     }
 }

@@ -151,7 +151,7 @@ static bool image_part(hem_end *end, int32_t own, const double *out, const doubl
         for (int32_t d = 0; d < 2; d++) end->base[d] = from[d] - out[d];
         end->begun = true;
     }
-    const bool done = high >= end->depth;
+    const bool done = high >= end->depth - MUS__CUT_SAME;
     if (done) image_level(end, from, q, end->depth, to);
     hem_foot(end, to, end->foot, &end->run, &end->side);
     if (!done && mus__dist2(from, to) < MUS__CUT_SAME) return false;
@@ -167,6 +167,25 @@ static bool image_part(hem_end *end, int32_t own, const double *out, const doubl
         image_add(end, image);
     }
     return done;
+}
+
+
+/* go on with a neighbour's cut line, which ends at `high` in direction u, to where it meets that of the next side: at
+ * an outer corner, as of a strip that is folded along its middle. Nothing at an inner corner, or where they hardly turn
+ */
+static void image_corner(const hem_end *end, int32_t next, const double *u, double *high)
+{
+    const mus__cut_ring *ring = end->ring;
+    double v[2];
+    side_direction(ring, next, v);
+    const double width = ring->list[next].width;
+    const double *a = ring->list[end->step > 0 ? ring_at(ring, next + 1) : next].xy;
+    const double low[2] = {a[0] + width * v[1], a[1] - width * v[0]};
+    for (int32_t d = 0; d < 2; d++) v[d] *= -end->step; /* away from the hem, as u is */
+    const double cross = u[0] * v[1] - u[1] * v[0];
+    if (fabs(cross) < HEM_TURN) return;
+    const double t = ((low[0] - high[0]) * v[1] - (low[1] - high[1]) * v[0]) / cross;
+    for (int32_t d = 0; d < 2 && t > 0.0; d++) high[d] += t * u[d];
 }
 
 
@@ -189,6 +208,8 @@ static bool image_build(hem_end *end)
             /* the first side goes on below the hem line */
             if (k == 0) last[d] = low[d] - 2.0 * end->depth * (high[d] - low[d]) / mus__dist2(a, b);
         }
+        for (int32_t d = 0; d < 2; d++) u[d] *= -end->step;
+        image_corner(end, side_from(ring, end->corner, -end->step, k + 1), u, high);
         if (image_part(end, i, out, last, low) || image_part(end, i, out, low, high))
             return end->run <= HEM_TAKEN * end->length;
         memcpy(last, high, sizeof last);

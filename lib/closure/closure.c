@@ -14,7 +14,7 @@
 #include "closure/closure.h"
 
 #define CLOSURE_BUTTONS (8.5 * MUS__CM) /* largest distance between buttons */
-/* [m] a buttonhole begins beyond the centre, where the shank of the button comes to rest; dressmaking has 3 mm */
+/* [m] a buttonhole begins beyond the middle of the button, where its shank comes to rest; dressmaking has 3 mm */
 #define CLOSURE_SHANK 0.003
 
 
@@ -32,19 +32,21 @@ static void closure_fasten(mus__board *board, int32_t panel, const double *at, c
 }
 
 
-/* marks buttons and buttonholes on the centre line at even distances from 1.5 cm below the neck to 4 cm above the
- * hem */
+/* marks buttons on the centre line at even distances from 1.5 cm below the neck to 4 cm above the hem, on a coat half
+ * as many, for they are larger. Their buttonholes run along that line: the stand is folded back no further than they
+ * would reach across it */
 static void closure_buttons(mus__half *half, int32_t side)
 {
     mus__board *board = &half->board;
     const double *top = mus__board_start(board, side), *foot = mus__board_end(board, side);
     if (top == NULL || foot == NULL) return;
-    const double length = top[1] - foot[1] - 5.5 * MUS__CM, out[2] = {-1.0, 0.0};
-    const int32_t n = (int32_t)ceil(fmax(length, 0.0) / CLOSURE_BUTTONS);
+    const double length = top[1] - foot[1] - 5.5 * MUS__CM, up[2] = {0.0, 1.0};
+    const bool coat = mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_COAT);
+    const int32_t n = (int32_t)ceil(fmax(length, 0.0) / (coat ? 2.0 * CLOSURE_BUTTONS : CLOSURE_BUTTONS));
     for (int32_t i = 0; i <= n; i++) {
         const double part = n > 0 ? (double)i / n : 0.0;
         const double xy[2] = {top[0], top[1] - 1.5 * MUS__CM - part * fmax(length, 0.0)};
-        closure_fasten(board, board->side[side].panel, xy, out);
+        closure_fasten(board, board->side[side].panel, xy, up);
     }
 }
 

@@ -17,6 +17,7 @@
 #include "pocket/pocket.h"
 #include "style/style_parts.h"
 
+#define NOTCH_NEAR 0.12 /* [m] a long seam has a notch nearer than this to its middle; chosen: two hands of cloth */
 
 /* ease on bust, waist and hip [cm] by cloth and level: for women, and on the bust for men and children. A coat has 18
  * to 22 cm over the body: it goes over a shirt and a jacket */
@@ -55,6 +56,48 @@ static void design_eases(mus__half *half)
 }
 
 
+/* one allowance for both edges of a seam, so that raw edges meet where they are sewn: the narrower of two, that of the
+ * other where one has none. What laps over or lies on another keeps its own */
+static void design_allowances(mus__board *board)
+{
+    for (int32_t i = 0; i < board->nseam && board->status == MUS_OK; i++) {
+        const mus__board_seam *seam = &board->seam[i];
+        if (seam->a == MUS_NONE || seam->laid || seam->closure != MUS_CLOSURE_NONE) continue;
+        double *own[2] = {&board->side[seam->a].attr.allowance, &board->side[seam->b].attr.allowance};
+        double width[2];
+        for (int32_t k = 0; k < 2; k++) width[k] = *own[k] >= 0.0 ? *own[k] : MUS__SEAM_ALLOWANCE;
+        const int32_t wide = width[0] > width[1] ? 0 : 1, kept = width[1 - wide] > 0.0 ? 1 - wide : wide;
+        *own[1 - kept] = *own[kept];
+    }
+}
+
+
+/* a notch at the middle of each long seam that has none near it: single, and double where both sides are of the back */
+static void design_notches(mus__board *board)
+{
+    const int32_t nseam = board->nseam;
+    for (int32_t i = 0; i < nseam && board->status == MUS_OK; i++) {
+        const mus__board_seam *seam = &board->seam[i];
+        if (seam->a == MUS_NONE || seam->laid || seam->bridge || seam->closure != MUS_CLOSURE_NONE) continue;
+        const mus__board_side *side = &board->side[seam->a], *other = &board->side[seam->b];
+        const bool back = strstr(board->panel[side->panel].name, "back") != NULL &&
+                          strstr(board->panel[other->panel].name, "back") != NULL;
+        const bool dart = side->next == seam->b || other->next == seam->a;
+        if (!dart && fmin(side->length, other->length) > 2.0 * NOTCH_NEAR)
+            mus__board_notch_seam(board, seam->a, 0.5 * side->length, back ? MUS_NOTCH_DOUBLE : MUS_NOTCH_SINGLE,
+                                  NOTCH_NEAR);
+    }
+    for (int32_t i = 0; i < board->nside && board->status == MUS_OK; i++) { /* centre seams, not yet doubled */
+        const mus__board_side *side = &board->side[i];
+        if (side->panel == MUS_NONE || side->centre != MUS__CENTRE_SEAM || side->attr.allowance > MUS__SEAM_ALLOWANCE)
+            continue;
+        const bool back = strstr(board->panel[side->panel].name, "back") != NULL;
+        if (side->length > 2.0 * NOTCH_NEAR)
+            mus__board_notch_seam(board, i, 0.5 * side->length, back ? MUS_NOTCH_DOUBLE : MUS_NOTCH_SINGLE, NOTCH_NEAR);
+    }
+}
+
+
 /* the parts that the words ask for, from the shoulders down */
 static void design_make(mus__half *half)
 {
@@ -79,10 +122,12 @@ static void design_make(mus__half *half)
     for (int32_t i = 0; i < (legs ? 2 : 1); i++) mus__board_opening_add(&half->board, block ? "waist" : "hem");
     if (!block) mus__closure_folds(half);
     mus__board_match_notches(&half->board);
+    if (!block) design_notches(&half->board);
     mus__board_double(&half->board);
     mus__closure_finish(half);
     if (skirt || legs) mus__waist_close(half);
     mus__pocket_finish(half);
+    design_allowances(&half->board);
 
     /* once more for the notches of the closure; those of the half were matched before, so that both sides are alike */
     mus__board_match_notches(&half->board);

@@ -91,7 +91,7 @@ const mus__design_row mus__designs_top[] = {
      "top neck=scoop sleeve=raglan shape=boxy ease=loose top_length=hip", W | C},
     {"kimono_top", "blouse", "Kimono top", "top neck=v sleeve=dolman shape=boxy ease=loose", W | M},
     {"gilet", "waistcoat", "Gilet", "top neck=v shape=princess_armhole closure=front top_length=waist", W},
-    {"waistcoat", "waistcoat", "Waistcoat", "top neck=deep_v shape=boxy closure=front top_length=waist", W | M},
+    {"waistcoat", "waistcoat", "Waistcoat", "top neck=deep_v shape=waist closure=front top_length=waist", W | M},
     {"bolero", "waistcoat", "Bolero",
      "top neck=scoop sleeve=three_quarter shape=princess_armhole closure=front top_length=crop", W},
     {"corset_top", "strapless", "Corset top",

@@ -141,6 +141,26 @@ static int32_t grade_cuts(const mus_pattern *pattern, int32_t panel, double y, d
 }
 
 
+/* does a panel lie on another, as a patch: is it sewn to a line inside that one, which its outline passes twice? */
+static bool grade_patch(const mus_pattern *pattern, int32_t panel)
+{
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
+        mus_seam_def def;
+        int32_t n = 0, passes = 0;
+        const int32_t *edges = NULL;
+        mus_seam_def_init(&def, sizeof def);
+        if (mus_pattern_seam(pattern, i, &def) != MUS_OK) continue;
+        const bool first = mus_pattern_edge_panel(pattern, def.edge_a) == panel;
+        if (!first && mus_pattern_edge_panel(pattern, def.edge_b) != panel) continue;
+        const int32_t other = first ? def.edge_b : def.edge_a, under = mus_pattern_edge_panel(pattern, other);
+        if (under == panel || mus_pattern_outline(pattern, under, &n, &edges, NULL) != MUS_OK) continue;
+        for (int32_t k = 0; k < n; k++) passes += edges[k] == other;
+        if (passes > 1) return true;
+    }
+    return false;
+}
+
+
 /* of the garment at a height above the floor; 0 where it is not */
 static double grade_girth(const mus_pattern *pattern, double height)
 {
@@ -148,7 +168,7 @@ static double grade_girth(const mus_pattern *pattern, double height)
     for (int32_t p = 0; p < mus_pattern_panel_count(pattern); p++) {
         const mus_placement *place = &pattern->panel[p].attr.placement;
         double cuts[GRADE_CUTS];
-        if (place->rotation[4] < GRADE_UPRIGHT) continue;
+        if (place->rotation[4] < GRADE_UPRIGHT || grade_patch(pattern, p)) continue;
         const int32_t n = grade_cuts(pattern, p, height - place->origin[1], cuts);
         for (int32_t i = 0; i < n; i += 2) girth += cuts[i + 1] - cuts[i];
     }

@@ -57,13 +57,28 @@ static double cut_behind(const mus__cut_only *job, const char *label)
 }
 
 
+/* the allowance of the free edges with a label [m], which what is sewn to them has too; 0 without one */
+static double cut_allowance(const mus__cut_only *job, const char *label)
+{
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++)
+        if (cut_free(job, i, label)) return fmax(mus_pattern_edge_allowance(job->pattern, i), 0.0);
+    return 0.0;
+}
+
+
 /* a band of rib, folded along its middle, its ends sewn to a ring; 2 cm high when folded (chosen). Its ends meet at
  * centre back, or at the underarm; notches are at the seams that it passes and at its middle */
 static void cut_rib(mus__cut_only *job, const char *label, const char *name, double length, int32_t count)
 {
-    const double high = 2.0 * job->scale * MUS__CM, behind = cut_behind(job, label);
-    mus__cut_strip strip = {.name = name, .label = "rib", .length = MUS__RIB_PART * length, .width = high,
-                            .turned = high + MUS__SEAM_ALLOWANCE, .material = MUS_MATERIAL_RIB, .count = count};
+    const double high = 2.0 * job->scale * MUS__CM, behind = cut_behind(job, label), own = cut_allowance(job, label);
+    mus__cut_strip strip = {.name = name,
+                            .label = "rib",
+                            .length = MUS__RIB_PART * length,
+                            .width = high,
+                            .seam = own,
+                            .turned = high + (own > 0.0 ? own : MUS__SEAM_ALLOWANCE),
+                            .material = MUS_MATERIAL_RIB,
+                            .count = count};
     if (count == 1) {
         strip.nnotch = 3;
         strip.notch[0] = 0.5 * behind, strip.notch[1] = 0.5, strip.notch[2] = 1.0 - 0.5 * behind;

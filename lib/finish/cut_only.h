@@ -23,6 +23,7 @@ typedef struct mus__cut_only {
 typedef struct mus__cut_strip {
     const char *name, *label;
     double length, width;
+    double seam;      /* allowance of its lower long edge [m]; 0: that of a seam */
     double turned;    /* allowance of its upper long edge, the inner layer of a folded strip; 0: that of a seam */
     bool halved;      /* folded along its middle, where no allowance is turned */
     bool lengthwise;  /* grain along the length, else across */

@@ -504,23 +504,25 @@ void mus__cut_fly(mus__cut_only *job, double width)
     for (int32_t k = 0; k < STEPS; k++) {
         const double s = length * k / STEPS, u = fmax(0.0, (s - (length - round)) / round);
         const double w = width * sqrt(fmax(0.0, 1.0 - u * u)), d = mus__dist2(p[k], p[k + 1]);
-        outer[k][0] = p[k][0] - w * (p[k + 1][1] - p[k][1]) / d;
+        outer[k][0] = w * (p[k + 1][1] - p[k][1]) / d - p[k][0];
         outer[k][1] = p[k][1] + w * (p[k + 1][0] - p[k][0]) / d;
     }
     job->status = mus_pattern_add_panel(job->made, "fly_facing", &f.made_panel);
     f.made = job->made, f.status = job->status, f.nword = 0;
-    const int32_t top = facing_point(&f, p[0]), low = facing_point(&f, p[STEPS]), side = facing_point(&f, outer[0]);
+
+    /* it lies right side on right side of the left front, so its own right side shows it mirrored */
+    double up[STEPS + 1][2];
+    for (int32_t k = 0; k <= STEPS; k++) up[k][0] = -p[STEPS - k][0], up[k][1] = p[STEPS - k][1];
+    const int32_t top = facing_point(&f, up[STEPS]), low = facing_point(&f, up[0]), side = facing_point(&f, outer[0]);
     int32_t kinds[STEPS] = {MUS_PIECE_LINE}, along[3] = {1, 1, 1};
-    double back[STEPS][2];
-    for (int32_t k = 1; k < STEPS; k++) memcpy(back[k - 1], outer[STEPS - k], sizeof back[0]);
     mus_edge_def def;
     mus_edge_def_init(&def, sizeof def);
     def.npiece = STEPS, def.kinds = kinds, def.nxy = STEPS - 1;
-    def.start = top, def.end = low, def.xy = p[1];
-    facing_edge(&f, &def, i, 0.0);
-    def.start = low, def.end = side, def.xy = back[0];
+    facing_line(&f, top, side, (i + f.n - 1) % f.n);
+    def.start = side, def.end = low, def.xy = outer[1];
     facing_edge(&f, &def, MUS_NONE, 0.0);
-    facing_line(&f, side, top, (i + f.n - 1) % f.n);
+    def.start = low, def.end = top, def.xy = up[1];
+    facing_edge(&f, &def, i, 0.0);
     if (f.status == MUS_OK) f.status = mus_pattern_set_outline(f.made, f.made_panel, f.nword, f.word, along);
     if (f.status == MUS_OK) f.status = mus_pattern_set_panel_label(f.made, f.made_panel, "fly");
     if (f.status == MUS_OK) f.status = mus_pattern_set_material(f.made, f.made_panel, MUS_MATERIAL_INTERFACING, 1);

@@ -23,7 +23,10 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
     static const char *const names[4] = {"low", "end", "top", "end"};
     static const int32_t along[4] = {1, 1, 1, 1};
     const double x = 0.5 * strip->length, xy[4][2] = {{-x, 0.0}, {x, 0.0}, {x, strip->width}, {-x, strip->width}};
-    const double seam = strip->material == MUS_MATERIAL_ELASTIC ? 0.0 : MUS__SEAM_ALLOWANCE;
+    const bool cloth = strip->material != MUS_MATERIAL_ELASTIC && strip->material != MUS_MATERIAL_INTERFACING;
+    const double seam = cloth ? MUS__SEAM_ALLOWANCE : 0.0; /* elastic and what is fused are sewn to nothing */
+    const double widths[4] = {strip->seam > 0.0 ? strip->seam : seam, seam, strip->turned > 0.0 ? strip->turned : seam,
+                              seam};
     int32_t panel = MUS_NONE, point[4], edge[4];
     if (job->status != MUS_OK || !(strip->length > 0.0)) return;
     job->status = mus_pattern_add_panel(job->made, strip->name, &panel);
@@ -35,9 +38,7 @@ void mus__cut_strip_add(mus__cut_only *job, const mus__cut_strip *strip)
         def.name = names[i], def.start = point[i], def.end = point[(i + 1) % 4];
         job->status = mus_pattern_add_edge(job->made, &def, &edge[i]);
         if (job->status == MUS_OK) job->status = mus_pattern_set_edge_label(job->made, edge[i], names[i]);
-        if (job->status == MUS_OK)
-            job->status = mus_pattern_set_edge_allowance(job->made, edge[i],
-                                                         i == 2 && strip->turned > 0.0 ? strip->turned : seam);
+        if (job->status == MUS_OK) job->status = mus_pattern_set_edge_allowance(job->made, edge[i], widths[i]);
     }
     if (job->status == MUS_OK) job->status = mus_pattern_set_outline(job->made, panel, 4, edge, along);
     if (job->status == MUS_OK) job->status = mus_pattern_set_panel_label(job->made, panel, strip->label);

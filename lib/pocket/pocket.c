@@ -138,7 +138,9 @@ static void pocket_piece(mus__board *board, int32_t i, int32_t *left)
     const int32_t panel = board->mark[i].panel;
     const char *name = *left == MUS_NONE ? "pocket_left" : "pocket_right";
     const int32_t made = mus__board_patch(board, panel, 4, board->mark[i].xy, name);
-    if (made == MUS_NONE) return;
+    const int32_t mouth = made == MUS_NONE ? MUS_NONE : mus__board_find(board, made, "mouth");
+    if (mouth == MUS_NONE) return;
+    board->side[mouth].attr.allowance = MUS__HEM_ALLOWANCE;
     if (*left == MUS_NONE) {
         *left = made;
         return;

@@ -1,10 +1,10 @@
 /*
  * bodice.c: the body of a top, dress or jumpsuit as a half garment: bodice block, neckline, shaping, closure, sewn.
  *
- * The bodice block of the person (darted for women) is drawn down to the hem with the neckline of the style; the bust
- * dart opens at the side and is then moved, split, eased or turned into a seam (shaping.c). Below the waist the side
- * curves to the hip, or runs straight in a boxy top. Front and back sides are congruent when the darts are closed, so
- * side seams match by construction. Formulas: man page mus_design(3).
+ * The bodice block of the person (darted for women, and for men where a woven top is shaped) is drawn down to the hem
+ * with the neckline of the style; the bust dart opens at the side and is then moved, split, eased or turned into a
+ * seam (shaping.c). Below the waist the side curves to the hip, or runs straight in a boxy top. Front and back sides
+ * are congruent when the darts are closed, so side seams match by construction. Formulas: man page mus_design(3).
  */
 #include <math.h>
 #include <string.h>
@@ -49,7 +49,8 @@ static double torso_hem(const mus__half *half, double scale)
 }
 
 
-/* drafts the bodice block with the eases of the style; darted for women, except for boxy knits */
+/* drafts the bodice block with the eases of the style; darted for women, except for boxy knits, and for men where a
+ * woven top is shaped: cloth that must not stretch stands away from the chest below it else */
 static void torso_blocks(mus__half *half, mus__top *top)
 {
     mus__measures measures = half->measures;
@@ -73,6 +74,8 @@ static void torso_blocks(mus__half *half, mus__top *top)
     } else if (bare && !block) {
         def.scye_ease -= 1.0 * k * MUS__CM;
     }
+    if (measures.sex == MUS_SEX_MALE && k >= 1.0 && mus__style_is(half, MUS__AXIS_GARMENT, MUS__GARMENT_TOP))
+        def.darts = !boxy && !block && mus__style_is(half, MUS__AXIS_CLOTH, MUS__CLOTH_WOVEN);
     if (mus__style_is(half, MUS__AXIS_EASE, MUS__EASE_COAT)) {
         def.scye_ease += 2.0 * k * MUS__CM;
         def.neck_ease += 3.0 * k * MUS__CM;

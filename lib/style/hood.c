@@ -31,7 +31,7 @@ void mus__hood_attach(mus__half *half, mus__neck *neck)
     const int32_t panel = mus__board_panel_add(board, "hood", "hood");
     const int32_t edge = mus__chain_side(board, panel, "neck", NULL, MUS__SEAM_ALLOWANCE, &sides[0]);
     const int32_t crown = mus__chain_side(board, panel, "crown", "centre", MUS__SEAM_ALLOWANCE, &sides[1]);
-    mus__chain_side(board, panel, "face", "neck", MUS__HEM_ALLOWANCE, &sides[2]);
+    mus__chain_side(board, panel, "face", "neck", MUS__SEAM_ALLOWANCE, &sides[2]);
     mus__board_panel_close(board, panel);
     if (board->status != MUS_OK) return;
     board->side[crown].centre = MUS__CENTRE_SEAM;

@@ -95,6 +95,12 @@ static int32_t skirt_panel_draw(mus__half *half, const mus__skirt_half *block, b
     const int32_t panel = mus__outline_panel(half, &outline, front ? "skirt_front" : "skirt_back", "skirt", !front);
     mus__half_centre(half, panel, "centre", (front || whole) && slit == 0.0 ? MUS__CENTRE_FOLD : MUS__CENTRE_SEAM);
     mus__half_centre(half, panel, "slit", MUS__CENTRE_OPEN);
+    if (slit > 0.0) {
+        const int32_t centre = mus__board_find(&half->board, panel, "centre");
+        const double *start = mus__board_start(&half->board, centre), *end = mus__board_end(&half->board, centre);
+        const bool ends = start != NULL && end != NULL && end[1] < start[1];
+        mus__board_notch_add(&half->board, centre, ends ? half->board.side[centre].length : 0.0, MUS_NOTCH_TRIPLE);
+    }
     mus__half_darts(half, panel);
     if (front) skirt_side_notch(half, panel, block);
     return panel;

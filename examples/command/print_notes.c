@@ -1,5 +1,5 @@
 /*
- * print_notes.c: what the first page of muslin print tells of the garment: measures, cloth, notions.
+ * print_notes.c: what the first page of muslin print tells of the garment: measures, fabric, cloth, notions.
  */
 #include <math.h>
 #include <stdio.h>
@@ -54,31 +54,51 @@ static void fill(int32_t language, const char *key, const char *first, const cha
 }
 
 
-/* Adds the measures of the tape: a head, and one line. */
-static void add_measures(notes *out, const mus_tape *tape, int32_t language)
+/* Adds lengths by the names of their measures: a head, and one line. Those that are not above 0 are left out. */
+static void add_lengths(notes *out, const char *key_of_head, const char *const *names, const double *values, size_t n,
+                        int32_t language)
 {
     char line[MEASURES_MOST] = "";
     size_t at = 0;
-    for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
-        const double value = mus_tape_value(tape, mus_measure_find(named[i]));
+    for (size_t i = 0; i < n; i++) {
         char key[64], whole[24], tenth[4], length[48], item[256];
-        if (!(value > 0.0)) continue;
-        const long tenths = lround(1e3 * value);
+        if (!(values[i] > 0.0)) continue;
+        const long tenths = lround(1e3 * values[i]);
         snprintf(whole, sizeof whole, "%ld", tenths / 10);
         snprintf(tenth, sizeof tenth, "%d", (int)(tenths % 10));
         fill(language, "length", whole, tenth, length, sizeof length);
-        snprintf(key, sizeof key, "measure.%s", named[i]);
+        snprintf(key, sizeof key, "measure.%s", names[i]);
         const char *name = mus_language_text(language, key);
-        fill(language, "list.colon", name != NULL ? name : named[i], length, item, sizeof item);
+        fill(language, "list.colon", name != NULL ? name : names[i], length, item, sizeof item);
         const char *comma = at > 0 ? mus_language_text(language, "list.semicolon") : "";
         if (at + strlen(comma) + strlen(item) >= sizeof line) break;
         at += (size_t)snprintf(line + at, sizeof line - at, "%s%s", comma, item);
     }
     if (at == 0) return;
-    const char *head = mus_language_text(language, "head.drafted");
+    const char *head = mus_language_text(language, key_of_head);
+    if (out->size > 0) notes_add(out, "\n", 1);
     notes_add(out, head, strlen(head));
     notes_add(out, "\n", 1);
     notes_add(out, line, at);
+    notes_add(out, "\n", 1);
+}
+
+
+/* Adds the measures of the tape, and the fabric that a named design is made for. */
+static void add_measures(notes *out, const scene *s, const source *from, int32_t language)
+{
+    double value[sizeof named / sizeof *named];
+    for (size_t i = 0; i < sizeof named / sizeof *named; i++)
+        value[i] = mus_tape_value(s->tape, mus_measure_find(named[i]));
+    add_lengths(out, "head.drafted", named, value, sizeof named / sizeof *named, language);
+    char key[64], line[256];
+    const char *fabric = from->design != NULL ? mus_design_fabric(mus_design_find(from->design)) : NULL;
+    snprintf(key, sizeof key, "fabric.%s", fabric != NULL ? fabric : "");
+    const char *name = mus_language_text(language, key);
+    if (fabric == NULL || name == NULL) return;
+    fill(language, "notes.made_for", name, "", line, sizeof line);
+    notes_add(out, "\n", 1);
+    notes_add(out, line, strlen(line));
     notes_add(out, "\n", 1);
 }
 
@@ -107,7 +127,7 @@ mus_status print_notes(const scene *s, const source *from, int32_t language, cha
     char *instructions = NULL;
     size_t size = 0;
     *out = NULL;
-    if (s->tape != NULL && from->pattern == NULL) add_measures(&all, s->tape, language);
+    if (s->tape != NULL && from->pattern == NULL) add_measures(&all, s, from, language);
     const mus_status status =
         mus_pattern_write_instructions_in_bytes(s->pattern, mus_language_tag(language), NULL, &instructions, &size);
     notes told = {0};

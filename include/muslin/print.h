@@ -115,7 +115,7 @@ MUS_API mus_status mus_sheet_piece_get(const mus_sheet *sheet, int32_t piece, mu
 #define MUS_LINE_SEW 1   /* sew line: one line for each edge, in the order of the outline */
 #define MUS_LINE_NOTCH 2 /* notch: one slit or more, each from the cut line inwards */
 #define MUS_LINE_GRAIN 3 /* grain line, and its two arrow heads */
-#define MUS_LINE_MARK 4  /* mark inside the piece (a drill point is a cross), and its name in strokes */
+#define MUS_LINE_MARK 4  /* mark inside the piece (a drill point is a cross), its name; words of edges, in strokes */
 #define MUS_LINE_LABEL 5 /* label of the piece, in strokes */
 
 /** A line of the sheet: steps and their points, as a PostScript path; y up. */

@@ -13,10 +13,19 @@ static const mus__language_row sentences_es[] = {
     {"cut.mirrored", "Cortar {0} en espejo"},
     {"cut.plain", "Cortar {0}"},
     {"depth", "{0} mm"},
-    {"depth.range", "{0} a {1} mm"},
-    {"ease.gather", "embeber o fruncir: {0}, {1}"},
+    {"ease.ease", "embeber: {0}, {1}"},
+    {"ease.gather", "fruncir: {0}, {1}, con dos hileras de puntadas largas en el margen, recogidas por igual"},
     {"ease.pleats", "acortado por los pliegues: {0}, {1}"},
     {"ease.rib", "estirar: {0}, de {1} a {2}"},
+    {"fabric.cotton", "tela de algodón"},
+    {"fabric.denim", "tela vaquera"},
+    {"fabric.jersey", "punto de jersey elástico"},
+    {"fabric.pc_twill", "sarga de algodón y poliéster"},
+    {"fabric.polyester", "poliéster ligero y fluido"},
+    {"fabric.satin", "raso"},
+    {"fabric.shirting", "tela de camisa"},
+    {"fabric.tropical", "lana fría para trajes"},
+    {"fabric.wool", "paño de lana"},
     {"facts.cover.many", "{0} páginas después de esta, {1} x {2}, escala 1:1"},
     {"facts.cover.one", "{0} página después de esta, {1} x {2}, escala 1:1"},
     {"facts.many", "{0} páginas, {1} x {2}, escala 1:1"},
@@ -48,11 +57,16 @@ static const mus__language_row sentences_es[] = {
     {"line.dart.many", "{0}: {1} pinzas de {2}"},
     {"line.dart.one", "{0}: {1} pinza de {2}"},
     {"line.edges", "{0} ({1}) con {2} ({3})"},
+    {"line.folded", "doblarlo antes por su línea, revés con revés, y coser sus dos bordes"},
     {"line.onto", "{0} sobre {1}"},
     {"line.panels", "{0} con {1}"},
     {"line.pleat.many", "{0}: {1} pliegues de {2}"},
     {"line.pleat.one", "{0}: {1} pliegue de {2}"},
     {"line.same_panel", "{0}: {1} con {2}"},
+    {"line.slit", "de un borde de la abertura al otro"},
+    {"line.slot",
+     "en la izquierda dejar abierta la ranura, desde la cintura hasta los tres piquetes: por ella sale el lazo "
+     "largo"},
     {"line.zip", "coser la cremallera: {0}"},
     {"list.colon", "{0}: {1}"},
     {"list.comma", ", "},
@@ -86,15 +100,17 @@ static const mus__language_row sentences_es[] = {
     {"metres", "{0},{1} m"},
     {"notches.many", "{0} piquetes"},
     {"notches.one", "{0} piquete"},
-    {"notion.elastic", "elástico, {0} × {1}"},
+    {"notes.made_for", "Pensado para: {0}"},
+    {"notion.elastic", "elástico, {0} × {1}, {2} de ancho"},
     {"notion.fly", "cremallera para la bragueta, {0}"},
-    {"notion.zip", "cremallera, {0}"},
+    {"notion.zip", "cremallera para una abertura de {0}"},
     {"paper.allowance", "Margen de costura incluido: {0} mm"},
     {"paper.allowance_at", "Margen de costura incluido: {0}"},
     {"paper.cut", "Línea continua: cortar."},
     {"paper.cut_sizes", "Línea gruesa, con los trazos de su talla: cortar."},
     {"paper.dart", "doblar aquí"},
     {"paper.edge", "{0} {1} mm"},
+    {"paper.empty", "Las casillas sin líneas no tienen página: {0}."},
     {"paper.fold", "doblez de la tela"},
     {"paper.inner", "cuadrado interior: 100 mm"},
     {"paper.measure", "medir: imprimir al 100 %, escala 1:1"},
@@ -112,13 +128,16 @@ static const mus__language_row sentences_es[] = {
     {"paper.step.3",
      "Colocar cada página sobre sus vecinas, marco sobre marco, de modo que los rombos queden enteros, y pegar."},
     {"paper.step.4",
-     "{0} Trazos cortos: coser. Trazos largos: doblar o colocar lo que dice la palabra. Cruz: punto que se marca. "
-     "Flecha doble: hilo de la tela. Rayas cortas en la línea de corte: piquetes; tres juntos: fin de la "
-     "cremallera o de la abertura."},
+     "{0} Trazos cortos: coser, o doblar un dobladillo. Trazos largos: lo que dice la palabra, como doblez o "
+     "sitio. Cruz: punto que se marca. Flecha doble: hilo de la tela. Rayas cortas en la línea de corte: "
+     "piquetes; tres juntos: fin de la cremallera o de la abertura, en el del medio."},
     {"paper.step.5",
      "Cruz en una línea: ojal en el delantero de encima, botón en el de debajo. Encima va el delantero izquierdo "
      "en hombres, el derecho en mujeres."},
     {"paper.tile", "{0}  página {1} de {2}  escala 1:1"},
+    {"sewing.general",
+     "Sobrehilar los bordes cortados y planchar cada costura antes de que otra la cruce; coser el punto con "
+     "puntada elástica o zigzag. En un dobladillo que se deshilacha, remeter antes el borde cortado."},
     {"step.buttons", "Hacer los ojales en la parte de encima y coser los botones en la de debajo:"},
     {"step.close", "Cerrar:"},
     {"step.close_in_one", "Cerrar, de una sola vez:"},
@@ -128,49 +147,104 @@ static const mus__language_row sentences_es[] = {
     {"step.faced",
      "Rematar el borde ({0}: {1}, {2} en total) con: {3}. Coser derecho con derecho, volver hacia dentro y planchar."},
     {"step.faced_joined",
-     "Rematar el borde ({0}: {1}, {2} en total) con: {3}. Unir por los extremos, coser derecho con derecho, volver "
-     "hacia dentro y planchar."},
+     "Rematar el borde ({0}: {1}, {2} en total) con: {3}. Unirlas como estos, coser derecho con derecho, "
+     "volver hacia dentro y planchar. Los extremos en una abertura se remeten."},
     {"step.faced_rib",
-     "Rematar el borde ({0}: {1}, {2} en total) con: {3}, {4} de largo. Cerrar en anillo, doblar y coser estirando."},
-    {"step.fly", "Coser las piezas de la bragueta a los bordes de la abertura: {0}."},
+     "Rematar el borde ({0}: {1}, {2} en total) con: {3}, {4} de largo. Cerrar en anillo, doblar por su "
+     "línea, revés con revés, y coser sus dos bordes derecho con derecho, estirando por igual de piquete a "
+     "piquete."},
+    {"step.flap",
+     "Bolsillos con tapeta, de {0}: unir dos a dos las capas de una tapeta por tres lados y volverla; doblar "
+     "cada vivo. Coser el vivo a la línea inferior de su sitio y la tapeta a la superior, cada uno con una "
+     "capa de la bolsa; cortar entre ambos hasta las esquinas, meter la bolsa y unir sus capas."},
+    {"step.fly",
+     "Bragueta, de {0}; así se coloca la cremallera de más abajo: coser la vista al borde de la abertura del "
+     "delantero izquierdo y volverla hacia dentro. Doblar el cruce a lo largo, derecho con derecho, coser su "
+     "extremo inferior, volverlo y ponerlo bajo el borde del delantero derecho con una cinta de la cremallera "
+     "entre ambos y pespuntear. Coser la otra cinta solo a la vista y pespuntear el delantero izquierdo por la "
+     "curva de la vista."},
+    {"step.fold",
+     "Rematar el borde ({0}: {1}, {2} en total): doblar por la línea «{3}», derecho con derecho, cerrar los "
+     "extremos abiertos, un cruce en su marca y por debajo, y volver; remeter el borde cortado y pespuntearlo "
+     "sobre la costura."},
+    {"step.fold_elastic",
+     "Rematar el borde ({0}: {1}, {2} en total): doblar hacia dentro por la línea «{3}», remeter el borde "
+     "cortado y pespuntearlo sobre la costura dejando una abertura; pasar el elástico, coser sus extremos "
+     "borde con borde y cerrar."},
+    {"step.front_pocket",
+     "Bolsillos delanteros, de {0}: cortar el delantero por la línea «{1}» dejando un margen de costura. "
+     "Coser una capa de la bolsa a ese borde, derecho con derecho, cortarla igual, volverla hacia dentro y "
+     "pespuntear. Coser la vista a la otra capa, ponerla bajo la abertura y unir las capas por su borde "
+     "interior."},
     {"step.fuse", "Pegar la entretela con la plancha en: {0}."},
     {"step.fuse_line", "Pegar {1} con la plancha en el revés de: {0}, con las líneas «{2}» una sobre otra."},
     {"step.hem", "Rematar el borde ({0}: {1}, {2} en total): doblar {3} hacia el revés y pespuntear."},
     {"step.hem_elastic",
-     "Rematar el borde ({0}: {1}, {2} en total): doblar {3} hacia el revés y pespuntear dejando una abertura; pasar "
-     "el elástico y cerrar."},
-    {"step.lay_on", "Doblar los bordes, colocar encima y pespuntear alrededor:"},
+     "Rematar el borde ({0}: {1}, {2} en total): doblar {3} hacia el revés y pespuntear dejando una abertura; "
+     "pasar el elástico, coser sus extremos borde con borde y cerrar."},
+    {"step.lay_on",
+     "Hacer el dobladillo de arriba, doblar los demás bordes, colocar encima y pespuntear, abierto por arriba:"},
     {"step.layers",
-     "Segundas capas o forros: {0}. Unirlos entre sí como los primeros y coserlos a los primeros por los bordes que "
-     "ningún paso nombra; volver hacia dentro y cerrar el último borde a mano."},
+     "Segundas capas: {0}. Unirlas entre sí como las primeras, ponerlas sobre ellas, derecho con derecho, y "
+     "coser por: {1}. Volverlas, remeter el último borde y coserlo a mano sobre su costura."},
+    {"step.layers_first",
+     "Unir las capas de {0}, derecho con derecho, por: {1}. Volver y planchar; desde aquí son una, y lo que "
+     "se ve al llevarla queda fuera."},
+    {"step.linings",
+     "Forros: {0}. Cortar lo que cubren las vistas y la tira doblada, menos 2 cm, y unir las piezas como las "
+     "de la tela. Colocar el forro, revés con revés, remeter sus bordes 1 cm y coserlos a mano a los bordes "
+     "interiores de vistas, tira y dobladillos."},
     {"step.loop",
-     "Doblar la tira a lo largo, pespuntear, cortar en trabillas iguales y coserlas sobre la pretina: {0}."},
+     "Doblar la tira en tres a lo largo y pespuntear sus dos bordes; cortarla en cinco trabillas iguales y "
+     "coserlas sobre la pretina en el centro de la espalda, en los costados y en el medio de cada delantero: "
+     "{0}."},
     {"step.over", "Sobre la costura ({0}): {1}. Coser derecho con derecho, volver hacia dentro y planchar."},
     {"step.over_joined",
-     "Sobre la costura ({0}): {1}. Unir por los extremos, coser derecho con derecho, volver hacia dentro y planchar."},
-    {"step.over_rib", "Sobre la costura ({0}): {1}, {2} de largo. Cerrar en anillo, doblar y coser estirando."},
+     "Sobre la costura ({0}): {1}. Unirlas como las piezas de allí, coser derecho con derecho, volver hacia "
+     "dentro y planchar. Los extremos en una abertura se remeten."},
+    {"step.over_rib",
+     "Sobre la costura ({0}): {1}, {2} de largo. Cerrar en anillo, doblar por su línea, revés con revés, y "
+     "coser sus dos bordes derecho con derecho, estirando por igual de piquete a piquete."},
     {"step.part", "Preparar y coser: {0}."},
     {"step.patch",
      "Hacer el dobladillo del borde superior ({1}), doblar los demás bordes y pespuntear sobre su línea en: {0}."},
     {"step.placket", "Doblar {1} hacia el revés y pespuntear ({2}): {0}."},
-    {"step.placket_line", "Doblar {1} hacia el revés por la línea «{3}» y pespuntear ({2}): {0}."},
+    {"step.placket_line",
+     "Doblar {1} hacia el revés por la línea «{3}» y planchar ({2}): {0}. Donde acaba en un borde que "
+     "luego lleva vista o dobladillo, doblarla hacia el derecho sobre él, coser de través con el borde y "
+     "volverla; después pespuntearla."},
     {"step.pleats", "Formar los pliegues por sus líneas y sujetarlos dentro del margen de costura: {0}."},
     {"step.pouch",
-     "Hacer el dobladillo de las aberturas ({1}), doblar los demás bordes y pespuntearlos sobre su línea en: {0}."},
+     "Hacer el dobladillo de las aberturas ({1}), doblar los demás bordes y pespuntearlos sobre su línea en: "
+     "{0}. Un borde que queda sobre una costura no se dobla y se coge en ella."},
     {"step.sew", "Coser:"},
     {"step.sew_in_one", "Coser, de una sola vez:"},
-    {"step.slot",
-     "Al cerrar la costura lateral izquierda, dejar abierta la ranura marcada en {0}, desde la cintura hasta los "
-     "tres piquetes: por ella sale el lazo largo."},
+    {"step.sleeve_placket",
+     "Cortar la abertura de la manga por su línea y coser a sus dos bordes de una vez: {0}. Doblar sobre el "
+     "borde cortado y pespuntear, coser de través el doblez en lo alto de la abertura y planchar la mitad "
+     "delantera hacia dentro."},
+    {"step.stand",
+     "Segunda capa de {0}: ponerla sobre la primera, derecho con derecho, con lo que va cosido al borde "
+     "superior entre ambas, y coser por el borde superior y en los dos extremos por las líneas «{2}», que "
+     "coinciden con los dobleces de los delanteros. Volver; la costura del escote sigue hasta esos dobleces; "
+     "remeter el borde inferior y coserlo a mano sobre ella."},
     {"step.tie_make", "Doblar a lo largo, coser el borde largo y un extremo, volver y planchar: {0}."},
     {"step.ties",
-     "Coser el lazo corto al extremo del delantero izquierdo, que queda encima, y el largo al del derecho. Al "
-     "vestirse, sacar el lazo largo por la ranura, llevarlo alrededor de la cintura y atarlo al corto:"},
+     "Coser el lazo corto al extremo del delantero izquierdo, que queda encima, y el largo al del derecho, "
+     "derecho con derecho: la vista se cose sobre ellos. Al vestirse, sacar el lazo largo por la ranura, "
+     "llevarlo alrededor de la cintura y atarlo al corto:"},
     {"step.turn", "Rematar el borde ({0}: {1}, {2} en total): doblar hacia el revés y pespuntear."},
     {"step.turn_elastic",
-     "Rematar el borde ({0}: {1}, {2} en total): doblar hacia el revés y pespuntear dejando una abertura; pasar el "
-     "elástico y cerrar."},
-    {"step.underlap", "El cruce inferior ({0}) sobresale {1} de la línea de costura: coser ahí su extremo."},
+     "Rematar el borde ({0}: {1}, {2} en total): doblar hacia el revés y pespuntear dejando una abertura; "
+     "pasar el elástico, coser sus extremos borde con borde y cerrar."},
+    {"step.underlap",
+     "El cruce inferior ({0}) sobresale {1} de la línea de costura, hasta su marca: ahí y por su borde "
+     "inferior se cosen sus capas, y no en la línea misma."},
+    {"step.welt",
+     "Bolsillos de vivo, de {0}: doblar cada vivo, derecho con derecho, coser sus extremos y volverlo. Coserlo "
+     "a la línea inferior de su sitio con una capa de la bolsa encima, y la otra capa a la superior; cortar "
+     "entre ambas hasta las esquinas, meter la bolsa, pespuntear los extremos del vivo hacia arriba y unir las "
+     "capas de la bolsa."},
     {"unit.degree", "°"},
 };
 

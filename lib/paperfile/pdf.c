@@ -9,6 +9,7 @@
  */
 #include <cairo-pdf.h>
 #include <cairo.h>
+#include <math.h>
 #include <string.h>
 
 #include "file/sink.h"
@@ -19,6 +20,9 @@
 #define POINTS (72.0 / 0.0254)               /* [points/m] PostScript points in a metre */
 #define PDF_DATE "1970-01-01T00:00:00Z"      /* date in the file; without it cairo writes the time of day */
 
+#define PDF_TURN                                                                                                       \
+    0.01              /* sine of half a degree: readers take text that is turned by more apart, but for quarter turns  \
+                       */
 #define PDF_TEXT 1023 /* [bytes] longest text that can be searched for; chosen: four times a line of a label */
 
 /* the page that is drawn: x of the sheet at its left edge, y at its upper edge [m] */
@@ -58,6 +62,13 @@ static void pdf_path(const pdf_page *page, const mus__drawing *drawing, const mu
 }
 
 
+/* is a text set in a font and shown as text? One that is too long, or slants, comes as its outline */
+static bool pdf_shown(const mus__text *text)
+{
+    return text->path != MUS_NONE && text->n <= PDF_TEXT && fmin(fabs(text->cosine), fabs(text->sine)) < PDF_TURN;
+}
+
+
 /* draw all paths that touch the window (low x, low y, high x, high y [m]; NULL: all paths) */
 static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const double *window)
 {
@@ -65,8 +76,7 @@ static void pdf_draw(const pdf_page *page, const mus__drawing *drawing, const do
         const mus__path *path = &drawing->paths[i];
         const mus__pen_style *style = &mus__pen_styles[path->pen];
         double w = 0.5 * style->width, dash[2] = {style->dash[0] * POINTS, style->dash[1] * POINTS};
-        /* text that is set in a font comes as text, unless it is too long */
-        const bool shown = path->text != MUS_NONE && drawing->texts[path->text].n <= PDF_TEXT;
+        const bool shown = path->text != MUS_NONE && pdf_shown(&drawing->texts[path->text]);
         if (path->nop == 0 || shown || mus__path_layered(page->sheet, path)) continue;
         if (window != NULL && (path->box[0] - w > window[2] || path->box[2] + w < window[0] ||
                                path->box[1] - w > window[3] || path->box[3] + w < window[1]))
@@ -138,8 +148,25 @@ static void pdf_text(const pdf_page *page, const mus__drawing *drawing, const mu
 }
 
 
-/* lay the texts that begin in the window (NULL: all) over their strokes, invisible, and show those that are set in a
- * font. Those over strokes are all upright: readers take turned text apart into letters */
+/* turn the letters of Hebrew or Arabic round: readers read invisible letters from the left, and turn such words round
+ */
+static void pdf_from_left(char *letters)
+{
+    char turned[PDF_TEXT + 1];
+    size_t n = strlen(letters), at = n;
+    bool right_to_left = false;
+    for (const char *next = letters, *from = letters; at > 0; from = next) {
+        const uint32_t code = mus__text_character(&next);
+        right_to_left = right_to_left || (code >= 0x590 && code < 0x900);
+        at -= (size_t)(next - from);
+        memcpy(turned + at, from, (size_t)(next - from));
+    }
+    if (right_to_left) memcpy(letters, turned, n);
+}
+
+
+/* lay the texts that begin in the window (NULL: all) over their lines, invisible, and show those that are set in a font
+ * and do not slant. The invisible ones are all level: readers take turned text apart into letters */
 static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const double *window)
 {
     for (int32_t i = 0; i < drawing->ntext; i++) {
@@ -150,8 +177,9 @@ static void pdf_texts(const pdf_page *page, const mus__drawing *drawing, const d
         if (text->n > PDF_TEXT) continue;
         memcpy(letters, drawing->letters + text->at, (size_t)text->n);
         letters[text->n] = '\0';
-        if (text->path != MUS_NONE) pdf_text(page, drawing, text, letters, window);
-        if (!on || text->path != MUS_NONE) continue;
+        if (pdf_shown(text)) pdf_text(page, drawing, text, letters, window);
+        if (!on || pdf_shown(text)) continue;
+        pdf_from_left(letters);
         const double size = text->height * POINTS;
         cairo_set_font_size(page->cairo, size);
         cairo_move_to(page->cairo, (text->x - page->left) * POINTS, (page->top - text->y) * POINTS);

@@ -12,8 +12,8 @@
 
 #include "base/utf8.h"
 #include "drawing/lettering.h"
+#include "drawing/phrase.h"
 #include "print/page.h"
-#include "print/phrase.h"
 
 /* [m] least width right of the squares, for text and page map; chosen: the shortest lines of text fit */
 #define COVER_COLUMN 0.048
@@ -26,8 +26,8 @@
 #define LEGEND_HEAD 0.019    /* [m] height of title and facts above the instructions */
 #define LEGEND_MAP 0.034     /* [m] height of the page map below them; chosen: names of pages are read in it */
 #define MAP_LATTICE 9        /* points tried in each direction for a number on the map; chosen: narrow arcs hold one */
-#define LEGEND_NAME 0.024    /* [m] corner of a page that holds its name */
 #define LEGEND_LINES 64      /* most lines of text; chosen: twice those of the richest legend in the longest language */
+#define EMPTY_NAMES 192      /* [bytes] of the names of places without a page; chosen: three lines, then "..." */
 #define LEGEND_STEP_TEXT 1024 /* [bytes] of a step; chosen: letters of three bytes in the longest, twice over */
 
 /* pages of pieces from which on the cover is a page of its own: chosen, so that it adds a tenth to them at most, and a
@@ -52,6 +52,27 @@ static void cover_step(const mus_sheet *sheet, int32_t step, char *out)
     mus__phrase_text(&phrase, 0,
                      mus_language_text(sheet->language, sheet->nsize > 1 ? "paper.cut_sizes" : "paper.cut"));
     mus__phrase_write(&phrase, cover_steps[step], out, LEGEND_STEP_TEXT);
+}
+
+
+/* write which places of the grid have no page, as they have no line; false when all have one */
+static bool cover_empty(const mus_sheet *sheet, char *out)
+{
+    char names[EMPTY_NAMES] = "", name[16];
+    size_t at = 0;
+    for (int32_t i = 0; i < sheet->columns * sheet->rows; i++) {
+        const mus__tile tile = {i % sheet->columns, i / sheet->columns};
+        if (mus__tile_find(sheet, tile.column, tile.row) != MUS_NONE) continue;
+        mus__tile_name(&tile, name, sizeof name);
+        const bool room = at + 2 * sizeof name < sizeof names;
+        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s",
+                               at > 0 ? mus_language_text(sheet->language, "list.comma") : "", room ? name : "...");
+        if (!room) break;
+    }
+    mus__phrase phrase = mus__phrase_in(sheet->language);
+    mus__phrase_text(&phrase, 0, names);
+    mus__phrase_write(&phrase, "paper.empty", out, LEGEND_STEP_TEXT);
+    return at > 0;
 }
 
 
@@ -129,11 +150,12 @@ static void cover_text(const mus_sheet *sheet, double width, int32_t most, bool 
     lines->width = width;
     lines->n = 0;
     lines->most = most < LEGEND_LINES ? most : LEGEND_LINES;
+    char step[LEGEND_STEP_TEXT];
     for (int32_t i = 0; i < cover_step_count(sheet); i++) {
-        char step[LEGEND_STEP_TEXT];
         cover_step(sheet, i, step);
         cover_break(lines, step);
     }
+    if (cover_empty(sheet, step)) cover_break(lines, step);
     if (full && sheet->notes != NULL) {
         cover_break(lines, "\n");
         cover_break(lines, sheet->notes);
@@ -381,19 +403,6 @@ static bool legend_clear(legend_taken *taken, const double *box, bool held)
 }
 
 
-/* does a box lie on the marks of a neighbour, at the middle of an edge of the page? They are as wide as its own name,
- * and half as deep */
-static bool legend_on_marks(const double *window, const double *box)
-{
-    for (int32_t d = 0; d < 2; d++) {
-        const double middle = 0.5 * (window[d] + window[2 + d]), deep = 0.5 * LEGEND_NAME;
-        if (box[d] > middle + LEGEND_NAME || box[2 + d] < middle - LEGEND_NAME) continue;
-        if (box[1 - d] < window[1 - d] + deep || box[3 - d] > window[3 - d] - deep) return true;
-    }
-    return false;
-}
-
-
 /* find a place of the given width and height, free or held by a piece, on the first page that has one, from its upper
  * left corner on */
 static bool legend_find(const mus_sheet *sheet, double width, double height, legend_taken *taken, bool held,
@@ -405,9 +414,7 @@ static bool legend_find(const mus_sheet *sheet, double width, double height, leg
         for (double y = window[3] - height - LEGEND_GAP; y > window[1] + LEGEND_GAP; y -= LEGEND_STEP) {
             for (double x = window[0] + LEGEND_GAP; x + width + LEGEND_GAP < window[2]; x += LEGEND_STEP) {
                 const double box[4] = {x, y, x + width, y + height};
-                /* the upper left corner of a page holds its name */
-                if (x < window[0] + LEGEND_NAME && y + height > window[3] - LEGEND_NAME) continue;
-                if (legend_on_marks(window, box)) continue;
+                if (mus__tile_marked(window, box)) continue;
                 if (!legend_clear(taken, box, held)) continue;
                 memcpy(out, box, sizeof box);
                 return true;

@@ -13,8 +13,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drawing/phrase.h"
 #include "print/page.h"
-#include "print/phrase.h"
 
 #define DIAMOND 0.004 /* [m] half the width of a diamond; chosen: large enough to lay halves on each other by eye */
 

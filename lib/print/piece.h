@@ -71,6 +71,10 @@ void mus__piece_quarter(mus__piece *piece);
 void mus__box_quarter(const double *box, double *out);
 /* map a point of the panel's plane to the sheet */
 void mus__piece_point(const mus__piece *piece, const double *xy, double *out);
+/* distance [m] of a point from the fold line of a half, negative on the side that is not printed */
+double mus__piece_inward(const mus__piece *piece, const double *p);
+/* true when the outline goes on straight from chord i to the next, with a turn of 15 degrees at most */
+bool mus__piece_straight(const mus__piece *piece, int32_t i);
 void mus__cubic_at(const double *p, double t, double *out);
 /* number of equal chords that keep within `tolerance` [m] of a cubic (four points) */
 int32_t mus__cubic_chords(const double *p, double tolerance);
@@ -88,6 +92,15 @@ mus_status mus__piece_fold(mus_context *context, const mus_pattern *pattern, mus
  * line: x and y of the low one, then of the high one [m] */
 void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index,
                      double *grain);
+/* draw the notches of a piece, each a path with its edge (piece_notches.c) */
+void mus__notches_draw(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index);
+/* [m] height of capitals in the name of a mark or an edge; chosen: the smallest that is read at arm's length */
+#define MUS__CAPTION_HEIGHT 0.0025
+/* [m] distance of words from lines that they would touch or cross; chosen: they are read */
+#define MUS__WORDS_CLEAR 0.001
+/* write what must be free round words of that height in their frame: low x, low y, high x, high y; they are twice
+ * `half` wide, with the middle of their base line at its origin (sheet_tile.c) */
+void mus__words_wall(double half, double *wall);
 #define MUS__CAPTION 128 /* [bytes] of the name of a mark with its zero byte; longer ones are cut; chosen */
 
 /* the name of a mark, with the left end of its base line and its direction */

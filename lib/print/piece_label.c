@@ -11,9 +11,9 @@
 
 #include "base/elementary.h"
 #include "drawing/lettering.h"
-#include "print/phrase.h"
+#include "drawing/phrase.h"
+#include "drawing/plain_words.h"
 #include "print/page.h"
-#include "print/plain_words.h"
 
 #define LABEL_ALLOWANCES 5 /* most lines about allowances; chosen: all edges of the richest draft have room */
 #define LABEL_LINES (7 + LABEL_ALLOWANCES) /* most lines of a label: as many as label_fill adds */
@@ -80,20 +80,17 @@ static bool label_folded(const mus_pattern *pattern, const mus__side *side)
 }
 
 
-/* write what side i is called: by its label, or by its name where the label is that of sides with another allowance */
-static void label_side(const mus_sheet *sheet, const mus_pattern *pattern, const mus__piece *piece, int32_t i,
-                       char *out)
+void mus__side_words(const mus_pattern *pattern, const mus__piece *piece, int32_t side, char *out)
 {
-    char plain[MUS__PLAIN], other[MUS__PLAIN];
-    mus__plain_edge_words(pattern, piece->sides[i].edge, plain);
-    bool shared = false;
-    for (int32_t k = 0; k < piece->nside && !shared; k++) {
-        if (fabs(piece->sides[k].width - piece->sides[i].width) <= LABEL_SAME) continue;
+    char other[MUS__PLAIN];
+    mus__plain_edge_words(pattern, piece->sides[side].edge, out);
+    for (int32_t k = 0; k < piece->nside; k++) {
+        if (fabs(piece->sides[k].width - piece->sides[side].width) <= LABEL_SAME) continue;
         mus__plain_edge_words(pattern, piece->sides[k].edge, other);
-        shared = strcmp(plain, other) == 0;
+        if (strcmp(out, other) != 0) continue;
+        mus__plain_edge_name(pattern, piece->sides[side].edge, out);
+        return;
     }
-    if (shared) mus__plain_edge_name(pattern, piece->sides[i].edge, plain);
-    mus__plain_words_in(sheet->language, "edge", plain, out);
 }
 
 
@@ -104,12 +101,13 @@ static int32_t label_widths(const mus_sheet *sheet, const mus_pattern *pattern, 
     int32_t n = 0;
     for (int32_t i = 0; i < piece->nside; i++) {
         int32_t k = 0, w = 0;
-        char words[MUS__PLAIN];
+        char plain[MUS__PLAIN], words[MUS__PLAIN];
         if (label_folded(pattern, &piece->sides[i])) continue;
         while (k < n && fabs(widths[k].width - piece->sides[i].width) > LABEL_SAME) k++;
         if (k == LABEL_WIDTHS) continue;
         if (k == n) widths[n++] = (label_width){.width = piece->sides[i].width};
-        label_side(sheet, pattern, piece, i, words);
+        mus__side_words(pattern, piece, i, plain);
+        mus__plain_words_in(sheet->language, "edge", plain, words);
         while (w < widths[k].n && w < LABEL_NAMED && strcmp(widths[k].words[w], words) != 0) w++;
         if (w < widths[k].n) continue;
         if (w < LABEL_NAMED) memcpy(widths[k].words[w], words, sizeof words);
@@ -273,31 +271,6 @@ static bool label_fits(const mus__piece *piece, const label_walls *walls, const 
 }
 
 
-/* true when one page shows the whole box */
-static bool label_on_page(const mus_sheet *sheet, const double *box)
-{
-    for (int32_t i = 0; i < sheet->ntile; i++) {
-        double window[4];
-        mus__tile_window(sheet, &sheet->tiles[i], window);
-        if (box[0] >= window[0] && box[1] >= window[1] && box[2] <= window[2] && box[3] <= window[3]) return true;
-    }
-    return false;
-}
-
-
-/* is every corner of the box, and its middle, on a page? A page in the middle of a piece may be left out */
-static bool label_shown(const mus_sheet *sheet, const double *box)
-{
-    for (int32_t k = 0; k < 5; k++) {
-        const double x = k == 4 ? 0.5 * (box[0] + box[2]) : box[k % 2 * 2];
-        const double y = k == 4 ? 0.5 * (box[1] + box[3]) : box[1 + k / 2 * 2];
-        const double point[4] = {x, y, x, y};
-        if (!label_on_page(sheet, point)) return false;
-    }
-    return true;
-}
-
-
 /* find the place nearest to the middle of the sew line's box, at the largest size that fits; a lying label, or one that
  * crosses the edge of a page, counts as farther away */
 static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, const label_walls *walls,
@@ -321,8 +294,8 @@ static label_place label_find(const mus_sheet *sheet, const mus__piece *piece, c
             double h = 0.5 * scales[s] * (lying ? block->width : block->height) + LABEL_PAD * scales[s];
             const double box[4] = {x - w, y - h, x + w, y + h};
             double away = mus__hypot(x - middle[0], y - middle[1]) + (lying ? LYING : 0.0);
-            if (away < nearest && !label_on_page(sheet, box)) away += ACROSS;
-            if (away >= nearest || !label_fits(piece, walls, box) || !label_shown(sheet, box)) continue;
+            if (away < nearest && !mus__page_holds(sheet, box, false)) away += ACROSS;
+            if (away >= nearest || !label_fits(piece, walls, box) || !mus__pages_show(sheet, box)) continue;
             nearest = away;
             best = (label_place){x, y, scales[s], lying};
         }

@@ -1,9 +1,7 @@
 /*
- * piece_marks.c: the lines of a placed piece: cut line, sew line, notches, grain line, marks.
+ * piece_marks.c: the lines of a placed piece: cut line, sew line, grain line, marks.
  *
- * The sew line is one path for each edge, so that every edge can be measured on the paper. A notch stands on the cut
- * line where the normal of the sew line at the notch meets it: one slit for a single notch, two for a double, three
- * for a triple one. A slit is 5 mm deep, or ends 2 mm before the sew line, whichever is less.
+ * The sew line is one path for each edge, so that every edge can be measured on the paper.
  */
 #include <math.h>
 #include <stdio.h>
@@ -13,19 +11,12 @@
 #include "drawing/lettering.h"
 #include "print/sheet.h"
 
-#define SLIT_DEPTH 0.005   /* [m] deepest slit of a notch; chosen: half the usual seam allowance of 1 cm */
-#define SLIT_CLEAR 0.002   /* [m] least gap between slit and sew line; chosen: a slit must not open a seam */
-#define SLIT_LEAST 0.0025  /* [m] shortest slit; chosen: a shorter one cannot be found on the cloth */
-#define SLIT_APART 0.004   /* [m] distance of the slits of one notch; chosen: they can be told apart by eye */
 #define GRAIN_CHORDS 25    /* lines tried for the grain line; chosen: with more the line is a little longer */
 #define FOLD_WORDS 0.022 /* [m] half the length of a bracket at least; chosen: its words fit between its arrows */
-#define ARROW 0.006        /* [m] length of an arrow head; chosen: visible at arm's length */
-/* [m] height of capitals in the name of a mark; chosen: the smallest that is read at arm's length */
-#define CAPTION 0.0025
+#define ARROW 0.006      /* [m] length of an arrow head; chosen: visible at arm's length */
 /* [m] distance from the mark to the base line of its name; chosen: capitals do not touch the mark */
 #define CAPTION_CLEAR 0.004
 #define CAPTION_SAME 1e-6 /* [m] a point this near to a line lies on it; chosen: above rounding */
-#define WORDS_CLEAR 0.001 /* [m] distance of words from lines that they would touch or cross; chosen: they are read */
 #define DRILL 0.003      /* [m] half the width of the cross of a drill point; chosen: seen at arm's length */
 
 
@@ -43,13 +34,6 @@ static void marks_spans(mus__drawing *out, const mus__piece *piece, int32_t firs
 static bool marks_on_fold(const mus__piece *piece, const double *p)
 {
     return fabs(p[piece->across] - piece->axis) < 1e-9;
-}
-
-
-/* distance [m] of a point from the fold line of a half, negative on the side that is not printed */
-static double marks_inward(const mus__piece *piece, const double *p)
-{
-    return piece->inward * (p[piece->across] - piece->axis);
 }
 
 
@@ -109,72 +93,6 @@ static void marks_seam(mus__drawing *out, const mus__piece *piece, int32_t index
         mus__draw_path(out, index, MUS__LAYER_SEAM, MUS__PEN_SEAM);
         mus__draw_edge(out, piece->sides[piece->spans[i].side].edge);
         marks_spans(out, piece, i, end - 1);
-    }
-}
-
-
-/* distance [m] from p along n to the cut line, at least `least`; `least` when the ray misses the cut line */
-static double marks_reach(const mus__piece *piece, const double *p, const double *n, double least)
-{
-    double best = -1.0;
-    for (int32_t l = 0; l < piece->cut.nloop; l++) {
-        int32_t start = piece->cut.start[l], end = piece->cut.start[l + 1];
-        for (int32_t i = start; i < end; i++) {
-            const double *a = piece->cut.xy + 2 * i, *b = piece->cut.xy + 2 * (i + 1 < end ? i + 1 : start);
-            double dx = b[0] - a[0], dy = b[1] - a[1], det = n[0] * dy - n[1] * dx;
-            if (det == 0.0) continue;
-            double cx = a[0] - p[0], cy = a[1] - p[1];
-            double t = (cx * dy - cy * dx) / det, u = (cx * n[1] - cy * n[0]) / det;
-            if (u < 0.0 || u > 1.0 || t < least - 1e-4) continue;
-            if (best < 0.0 || t < best) best = t;
-        }
-    }
-    return best < 0.0 ? least : best;
-}
-
-
-/* draw one slit at arc length s [m] of a side */
-static void marks_slit(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, const mus__side *side,
-                       double s, double length)
-{
-    double t = s / length, near = 1e-4, at[3], xy[6], p[6];
-    at[0] = t;
-    at[1] = t - near > 0.0 ? t - near : 0.0;
-    at[2] = t + near < 1.0 ? t + near : 1.0;
-    if (mus_pattern_edge_at(pattern, side->edge, 3, at, xy) != MUS_OK) return;
-    for (int32_t i = 0; i < 3; i++) mus__piece_point(piece, xy + 2 * i, p + 2 * i);
-
-    /* the outside lies on the right of the outline's direction */
-    double dx = (p[4] - p[2]) * side->direction, dy = (p[5] - p[3]) * side->direction, d = sqrt(dx * dx + dy * dy);
-    if (!(d > 0.0) || (piece->fold && marks_inward(piece, p) < -1e-6)) return;
-    const double n[2] = {dy / d, -dx / d};
-    double reach = marks_reach(piece, p, n, side->width), depth = side->width - SLIT_CLEAR;
-    depth = depth > SLIT_DEPTH ? SLIT_DEPTH : depth < SLIT_LEAST ? SLIT_LEAST : depth;
-    mus__draw_move(out, p[0] + reach * n[0], p[1] + reach * n[1]);
-    mus__draw_line(out, p[0] + (reach - depth) * n[0], p[1] + (reach - depth) * n[1]);
-}
-
-
-static void marks_notches(mus__drawing *out, const mus_pattern *pattern, const mus__piece *piece, int32_t index)
-{
-    for (int32_t i = 0; i < mus_pattern_notch_count(pattern); i++) {
-        int32_t edge, kind, side = 0;
-        double s;
-        if (mus_pattern_notch(pattern, i, &edge, &s, &kind) != MUS_OK) continue;
-        while (side < piece->nside && piece->sides[side].edge != edge) side++;
-        if (side == piece->nside) continue;
-
-        /* near an end of its edge the notch keeps the distances of its slits, as it does on the edge sewn to it */
-        double length = mus_pattern_edge_length(pattern, edge), half = 0.5 * (kind - 1) * SLIT_APART;
-        double middle = s < half ? half : s > length - half ? length - half : s;
-        if (length < 2.0 * half) middle = 0.5 * length;
-        mus__draw_path(out, index, MUS__LAYER_NOTCHES, MUS__PEN_NOTCH);
-        mus__draw_edge(out, edge);
-        for (int32_t k = 0; k < kind; k++) {
-            double at = middle - half + k * SLIT_APART;
-            at = at < 0.0 ? 0.0 : at > length ? length : at;
-            marks_slit(out, pattern, piece, &piece->sides[side], at, length);
-        }
     }
 }
 
@@ -304,24 +222,20 @@ static bool caption_names(const mus_pattern *pattern, int32_t language, int32_t 
 }
 
 
-/* a caption as a box in its own frame: half as wide [m], its middle at x and y, u along its base line */
+/* a caption: half as wide [m], its middle at the origin of a frame, its base line along it */
 typedef struct caption_box {
     const mus__piece *piece;
-    double x, y, half, u[2];
+    double half;
+    mus__frame frame;
 } caption_box;
 
 
 /* does a segment of the sheet meet the box? */
 static bool caption_meets(const caption_box *box, const double *a, const double *b)
 {
-    const double wall[4] = {-box->half - WORDS_CLEAR, -WORDS_CLEAR, box->half + WORDS_CLEAR, CAPTION + WORDS_CLEAR};
-    double p[2][2];
-    for (int32_t i = 0; i < 2; i++) {
-        const double x = (i == 0 ? a : b)[0] - box->x, y = (i == 0 ? a : b)[1] - box->y;
-        p[i][0] = x * box->u[0] + y * box->u[1];
-        p[i][1] = y * box->u[0] - x * box->u[1];
-    }
-    return mus__segment_meets(p[0], p[1], wall);
+    double wall[4];
+    mus__words_wall(box->half, wall);
+    return mus__frame_meets(&box->frame, a, b, wall);
 }
 
 
@@ -359,16 +273,17 @@ static bool caption_clear(const mus_pattern *pattern, const caption_box *box)
 static void caption_move(const mus_pattern *pattern, const mus__piece *piece, const mus__lettering *lettering, double d,
                          mus__caption *out)
 {
-    const double c = out->style.cosine, s = out->style.sine, half = 0.5 * CAPTION;
+    const double c = out->style.cosine, s = out->style.sine, half = 0.5 * MUS__CAPTION_HEIGHT;
     const double wide = half * mus__lettering_width(lettering, out->text, false);
     const double most = 0.5 * d + wide + CAPTION_CLEAR;
-    for (int32_t i = 0; CAPTION * (i / 4) <= most; i++) {
-        const double along = (i % 2 == 0 ? 1.0 : -1.0) * CAPTION * (i / 4);
-        const double across = i % 4 < 2 ? 0.0 : -(2.0 * CAPTION_CLEAR + CAPTION);
-        const caption_box box = {piece, out->x + along * c - across * s, out->y + along * s + across * c, wide, {c, s}};
+    for (int32_t i = 0; MUS__CAPTION_HEIGHT * (i / 4) <= most; i++) {
+        const double along = (i % 2 == 0 ? 1.0 : -1.0) * MUS__CAPTION_HEIGHT * (i / 4);
+        const double across = i % 4 < 2 ? 0.0 : -(2.0 * CAPTION_CLEAR + MUS__CAPTION_HEIGHT);
+        const mus__frame frame = {out->x + along * c - across * s, out->y + along * s + across * c, {c, s}};
+        const caption_box box = {piece, wide, frame};
         if (!caption_clear(pattern, &box)) continue;
-        out->x = box.x;
-        out->y = box.y;
+        out->x = frame.x;
+        out->y = frame.y;
         return;
     }
 }
@@ -387,7 +302,7 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, cons
     mus__piece_point(piece, xy, a);
     mus__piece_point(piece, xy + 2 * (n - 1), b);
     double dx = b[0] - a[0], dy = b[1] - a[1], d = sqrt(dx * dx + dy * dy);
-    out->style = (mus__text_style){CAPTION, 1.0, 0.0, 0.5};
+    out->style = (mus__text_style){MUS__CAPTION_HEIGHT, 1.0, 0.0, 0.5};
     if (d > 0.0) {
         double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
         out->style.cosine = sign * dx / d;
@@ -396,7 +311,7 @@ bool mus__mark_caption(const mus_pattern *pattern, const mus__piece *piece, cons
     out->x = 0.5 * (a[0] + b[0]) - CAPTION_CLEAR * out->style.sine;
     out->y = 0.5 * (a[1] + b[1]) + CAPTION_CLEAR * out->style.cosine;
     const double at[2] = {out->x, out->y};
-    if (piece->fold && !(marks_inward(piece, at) > 0.0)) return false;
+    if (piece->fold && !(mus__piece_inward(piece, at) > 0.0)) return false;
     caption_move(pattern, piece, lettering, d, out);
     return true;
 }
@@ -407,7 +322,7 @@ static void marks_segment(mus__drawing *out, const mus__piece *piece, const doub
 {
     double a[2] = {from[0], from[1]}, b[2] = {to[0], to[1]};
     if (piece->fold) {
-        const bool in = marks_inward(piece, a) >= 0.0, next = marks_inward(piece, b) >= 0.0;
+        const bool in = mus__piece_inward(piece, a) >= 0.0, next = mus__piece_inward(piece, b) >= 0.0;
         if (in != next) {
             const int32_t c = piece->across, d = 1 - c;
             double *cut = in ? b : a;
@@ -469,10 +384,11 @@ static void marks_fold(mus__drawing *out, const mus__piece *piece, int32_t index
     const double words = bracket - (piece->inward > 0.0 ? 0.0015 : -0.004), middle = 0.5 * (low + high);
     if (piece->across == 0)
         mus__draw_text(out, mus_language_text(out->language, "paper.fold"), words, middle,
-                       &(mus__text_style){CAPTION, 0.0, 1.0, 0.5});
+                       &(mus__text_style){MUS__CAPTION_HEIGHT, 0.0, 1.0, 0.5});
     else
         mus__draw_text(out, mus_language_text(out->language, "paper.fold"), middle,
-                       bracket - (piece->inward > 0.0 ? 0.004 : -0.0015), &(mus__text_style){CAPTION, 1.0, 0.0, 0.5});
+                       bracket - (piece->inward > 0.0 ? 0.004 : -0.0015),
+                       &(mus__text_style){MUS__CAPTION_HEIGHT, 1.0, 0.0, 0.5});
 }
 
 
@@ -500,7 +416,7 @@ static void marks_inside(mus__drawing *out, const mus_pattern *pattern, const mu
         double first[2], p[2];
         bool open = false;
         mus__piece_point(piece, xy, first);
-        if (n == 1 && piece->fold && marks_inward(piece, first) < -1e-9) continue;
+        if (n == 1 && piece->fold && mus__piece_inward(piece, first) < -1e-9) continue;
         mus__draw_path(out, index, MUS__LAYER_MARKS, marks_short(n, xy) ? MUS__PEN_SQUARE : MUS__PEN_MARK);
         mus__draw_mark(out, i);
         if (n == 1) {
@@ -527,7 +443,7 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
 {
     const double *point = dart + 2, *end = dart + 6, dx = end[0] - point[0], dy = end[1] - point[1];
     const double d = sqrt(dx * dx + dy * dy), middle[2] = {0.5 * (point[0] + end[0]), 0.5 * (point[1] + end[1])};
-    if (!(d > 0.0) || (piece->fold && marks_inward(piece, point) < -1e-9)) return;
+    if (!(d > 0.0) || (piece->fold && mus__piece_inward(piece, point) < -1e-9)) return;
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_DRILL);
     mus__draw_move(out, point[0] - DRILL, point[1]);
     mus__draw_line(out, point[0] + DRILL, point[1]);
@@ -537,11 +453,13 @@ static void marks_dart(mus__drawing *out, const mus__piece *piece, int32_t index
     mus__draw_move(out, point[0], point[1]);
     mus__draw_line(out, end[0], end[1]);
     const char *words = mus_language_text(out->language, "paper.dart");
-    if (piece->follower || d < CAPTION * mus__lettering_width(out->lettering, words, false) + 4.0 * DRILL) return;
+    if (piece->follower || d < MUS__CAPTION_HEIGHT * mus__lettering_width(out->lettering, words, false) + 4.0 * DRILL)
+        return;
     const double sign = dx < -1e-9 || (dx < 1e-9 && dy < 0.0) ? -1.0 : 1.0;
-    const mus__text_style style = {CAPTION, sign * dx / d, sign * dy / d, 0.5};
+    const mus__text_style style = {MUS__CAPTION_HEIGHT, sign * dx / d, sign * dy / d, 0.5};
     mus__draw_path(out, index, MUS__LAYER_MARKS, MUS__PEN_TEXT);
-    mus__draw_text(out, words, middle[0] - WORDS_CLEAR * style.sine, middle[1] + WORDS_CLEAR * style.cosine, &style);
+    mus__draw_text(out, words, middle[0] - MUS__WORDS_CLEAR * style.sine, middle[1] + MUS__WORDS_CLEAR * style.cosine,
+                   &style);
 }
 
 
@@ -550,7 +468,7 @@ void mus__marks_draw(mus__drawing *out, const mus_pattern *pattern, const mus__p
 {
     marks_cut(out, piece, index);
     marks_seam(out, piece, index);
-    marks_notches(out, pattern, piece, index);
+    mus__notches_draw(out, pattern, piece, index);
     if (!piece->follower) marks_grain(out, piece, index, grain);
     marks_inside(out, pattern, piece, index);
     for (int32_t i = 0; i < piece->ndart; i++) marks_dart(out, piece, index, piece->darts + 8 * i);

@@ -13,10 +13,11 @@
 #include <string.h>
 
 #include "base/elementary.h"
-#include "print/phrase.h"
+#include "drawing/phrase.h"
 #include "print/piece.h"
 
 /* [m] largest distance of a chord from its cubic; chosen: far below the width of a line */
+#define STRAIGHT 0.268 /* tangent of 15 degrees, the largest turn where an outline goes straight on; by eye */
 #define CHORD_TOLERANCE 1e-5
 #define ARC_STEP (MUS__PRINT_PI / 8.0) /* [rad] longest arc of one cubic; error 2/27 (step/4)^6 of the radius */
 #define CHORDS_MAX 4096                      /* most chords of one cubic; chosen: bounds the memory */
@@ -129,6 +130,22 @@ void mus__piece_flip(mus__piece *piece, bool x, bool y)
     piece->axis *= sign[piece->across];
     piece->inward *= sign[piece->across];
     if (x != y) piece_turn_round(piece);
+}
+
+
+double mus__piece_inward(const mus__piece *piece, const double *p)
+{
+    return piece->inward * (p[piece->across] - piece->axis);
+}
+
+
+bool mus__piece_straight(const mus__piece *piece, int32_t i)
+{
+    const double *a = piece->flat + 2 * (i % piece->nflat), *b = piece->flat + 2 * ((i + 1) % piece->nflat);
+    const double *c = piece->flat + 2 * ((i + 2) % piece->nflat);
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
+    const double along = ux * vx + uy * vy;
+    return along > 0.0 && fabs(ux * vy - uy * vx) < STRAIGHT * along;
 }
 
 

@@ -10,8 +10,9 @@
 
 #include "muslin/topology.h"
 #include "drawing/lettering.h"
+#include "drawing/phrase.h"
+#include "drawing/plain_words.h"
 #include "print/page.h"
-#include "print/phrase.h"
 
 #define ALLOWANCE_MOST 0.1 /* [m] largest default allowance; chosen: a larger one is an error of units */
 #define BORDER_MOST 0.1    /* [m] largest margin and overlap; chosen: half the width of A4 */
@@ -115,6 +116,11 @@ static mus_status sheet_lettering(mus_sheet *sheet, const mus_pattern *pattern)
     for (int32_t i = 0; i < sheet->nsize && strokes; i++) strokes = mus__text_has_strokes(sheet->sizes[i]);
     for (int32_t i = 0; i < mus_pattern_mark_count(pattern) && strokes; i++)
         strokes = mus__text_has_strokes(sheet->marks[i]);
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern) && strokes; i++) {
+        char words[MUS__PLAIN];
+        mus__plain_edge_words(pattern, i, words);
+        strokes = mus__text_has_strokes(words);
+    }
     const mus_status status = strokes ? MUS_OK
                                       : mus__lettering_make(sheet->context, sheet->language, &sheet->lettering);
     sheet->drawing.language = sheet->language;
@@ -176,28 +182,6 @@ static mus_status sheet_pieces(mus_sheet *sheet, const mus_pattern *const *patte
 }
 
 
-/* does a path pass through the box? Cubics are read as eight chords */
-static bool sheet_path_meets(const mus__drawing *drawing, const mus__path *path, const double *box)
-{
-    const double *xy = drawing->xy + path->at;
-    double at[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, p[2];
-    for (int32_t i = 0; i < path->nop; i++) {
-        const unsigned char op = drawing->ops[path->op + i];
-        double cubic[8] = {at[0], at[1], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        if (op == 'c') memcpy(cubic + 2, xy, 6 * sizeof *xy);
-        for (int32_t k = 1; k <= (op == 'c' ? 8 : op == 'm' ? 0 : 1); k++) {
-            if (op == 'c') mus__cubic_at(cubic, 0.125 * k, p);
-            else memcpy(p, op == 'z' ? first : xy, sizeof p);
-            if (mus__segment_meets(at, p, box)) return true;
-            memcpy(at, p, sizeof at);
-        }
-        if (op == 'm') memcpy(at, xy, sizeof at), memcpy(first, xy, sizeof first);
-        xy += 2 * (op == 'c' ? 3 : op == 'z' ? 0 : 1);
-    }
-    return false;
-}
-
-
 /* leave out the pages that have no line but those that a neighbour shows in the overlap. The head of an arrow is no
  * line: a grain line that ends on a page by the tip of its arrow asks for no paper there */
 static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
@@ -213,7 +197,7 @@ static void sheet_prune(mus_sheet *sheet, const mus__drawing *lines)
         if (mus__tile_find(sheet, tile->column, tile->row - 1) != MUS_NONE) box[3] -= overlap;
         bool own = false;
         for (int32_t i = 0; i < lines->npath && !own; i++)
-            own = lines->paths[i].pen != MUS__PEN_INK && sheet_path_meets(lines, &lines->paths[i], box);
+            own = lines->paths[i].pen != MUS__PEN_INK && mus__path_meets(lines, &lines->paths[i], NULL, box);
         if (own) {
             t++;
             continue;
@@ -260,7 +244,7 @@ static bool sheet_held(const void *user, const double *box)
     bool held = false;
     for (int32_t i = 0; i < view->sheet->npiece && !held; i++) held = mus__piece_holds(&view->sheet->pieces[i], box);
     for (int32_t i = 0; i < view->lines->npath && held; i++)
-        held = !sheet_path_meets(view->lines, &view->lines->paths[i], box);
+        held = !mus__path_meets(view->lines, &view->lines->paths[i], NULL, box);
     return held;
 }
 
@@ -322,6 +306,8 @@ static mus_status sheet_draw(mus_sheet *sheet, const mus_pattern *const *pattern
     if (!sheet->cover && status == MUS_OK)
         mus__squares_draw(&sheet->drawing, sheet->squares[0], sheet->squares[1]);
     if (sheet->tiled && !sheet->cover) mus__legend_draw(sheet, &sheet->drawing);
+    for (int32_t i = 0; i < sheet->npiece && status == MUS_OK; i++)
+        if (!sheet->pieces[i].follower) mus__edge_words_draw(sheet, patterns[i % sheet->nsize], i);
     return status != MUS_OK ? status : sheet->drawing.status;
 }
 

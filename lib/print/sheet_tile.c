@@ -6,6 +6,8 @@
 
 #include "print/sheet.h"
 
+#define TILE_NAME 0.024 /* [m] upper left corner of a page that holds its name */
+
 
 /* clip the segment to the box (Liang and Barsky 1984); true when a part of it is left: `part` (2) gets its ends, 0 at a
  * to 1 at b */
@@ -34,6 +36,50 @@ bool mus__segment_meets(const double *a, const double *b, const double *box)
 {
     double part[2];
     return segment_clip(a, b, box, part);
+}
+
+
+bool mus__frame_meets(const mus__frame *frame, const double *a, const double *b, const double *box)
+{
+    double p[2][2];
+    for (int32_t i = 0; i < 2; i++) {
+        const double x = (i == 0 ? a : b)[0] - frame->x, y = (i == 0 ? a : b)[1] - frame->y;
+        p[i][0] = x * frame->u[0] + y * frame->u[1];
+        p[i][1] = y * frame->u[0] - x * frame->u[1];
+    }
+    return mus__segment_meets(p[0], p[1], box);
+}
+
+
+void mus__words_wall(double half, double *wall)
+{
+    wall[0] = -half - MUS__WORDS_CLEAR;
+    wall[1] = -MUS__WORDS_CLEAR;
+    wall[2] = half + MUS__WORDS_CLEAR;
+    wall[3] = MUS__CAPTION_HEIGHT + MUS__WORDS_CLEAR;
+}
+
+
+bool mus__path_meets(const mus__drawing *drawing, const mus__path *path, const mus__frame *frame, const double *box)
+{
+    const double *xy = drawing->xy + path->at;
+    double at[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, p[2];
+    for (int32_t i = 0; i < path->nop; i++) {
+        const unsigned char op = drawing->ops[path->op + i];
+        double cubic[8] = {at[0], at[1], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        if (op == 'c') memcpy(cubic + 2, xy, 6 * sizeof *xy);
+        for (int32_t k = 1; k <= (op == 'c' ? 8 : op == 'm' ? 0 : 1); k++) {
+            if (op == 'c')
+                mus__cubic_at(cubic, 0.125 * k, p);
+            else
+                memcpy(p, op == 'z' ? first : xy, sizeof p);
+            if (frame != NULL ? mus__frame_meets(frame, at, p, box) : mus__segment_meets(at, p, box)) return true;
+            memcpy(at, p, sizeof at);
+        }
+        if (op == 'm') memcpy(at, xy, sizeof at), memcpy(first, xy, sizeof first);
+        xy += 2 * (op == 'c' ? 3 : op == 'z' ? 0 : 1);
+    }
+    return false;
 }
 
 
@@ -158,4 +204,40 @@ int32_t mus__tile_find(const mus_sheet *sheet, int32_t column, int32_t row)
     for (int32_t i = 0; i < sheet->ntile; i++)
         if (sheet->tiles[i].column == column && sheet->tiles[i].row == row) return i;
     return MUS_NONE;
+}
+
+
+bool mus__tile_marked(const double *window, const double *box)
+{
+    /* the marks of a neighbour, at the middle of an edge, are as wide as the page's own name, and half as deep */
+    for (int32_t d = 0; d < 2; d++) {
+        const double middle = 0.5 * (window[d] + window[2 + d]), deep = 0.5 * TILE_NAME;
+        if (box[d] > middle + TILE_NAME || box[2 + d] < middle - TILE_NAME) continue;
+        if (box[1 - d] < window[1 - d] + deep || box[3 - d] > window[3 - d] - deep) return true;
+    }
+    return box[0] < window[0] + TILE_NAME && box[3] > window[3] - TILE_NAME;
+}
+
+
+bool mus__page_holds(const mus_sheet *sheet, const double *box, bool plain)
+{
+    for (int32_t i = 0; i < sheet->ntile; i++) {
+        double window[4];
+        mus__tile_window(sheet, &sheet->tiles[i], window);
+        const bool in = box[0] >= window[0] && box[1] >= window[1] && box[2] <= window[2] && box[3] <= window[3];
+        if (in && !(plain && sheet->tiled && mus__tile_marked(window, box))) return true;
+    }
+    return false;
+}
+
+
+bool mus__pages_show(const mus_sheet *sheet, const double *box)
+{
+    for (int32_t k = 0; k < 5; k++) {
+        const double x = k == 4 ? 0.5 * (box[0] + box[2]) : box[k % 2 * 2];
+        const double y = k == 4 ? 0.5 * (box[1] + box[3]) : box[1 + k / 2 * 2];
+        const double point[4] = {x, y, x, y};
+        if (!mus__page_holds(sheet, point, false)) return false;
+    }
+    return true;
 }

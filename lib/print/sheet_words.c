@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "muslin/language.h"
-#include "print/phrase.h"
+#include "drawing/phrase.h"
 #include "print/sheet.h"
 
 #define SIZES_TEXT 256 /* [bytes] of the names of all sizes; longer ones are cut; chosen */

@@ -9,7 +9,7 @@
 #define MUS_SEWING_H
 
 #include "drawing/drawing.h"
-#include "print/plain_words.h"
+#include "drawing/plain_words.h"
 
 #define MUS__PHRASE (4 * MUS__PLAIN + 32) /* [bytes] both sides of a seam in words */
 

@@ -19,6 +19,7 @@ typedef struct finish_edge {
     double length;    /* [m] */
     double allowance; /* [m], NaN where it is left to the sheet */
     bool elastic;
+    bool folded; /* the panel is a strip, turned along its line "fold" */
 } finish_edge;
 
 /* edges with the same words: the edges from `first` on */
@@ -29,15 +30,22 @@ typedef struct finish_group {
     const char *words;
 } finish_group;
 
-/* what is sewn on by the label of the panel; `last` after the edges */
+/* what is sewn on by the label of the panel, and by a mark that the pattern has where one label serves several; `last`
+ * after the edges */
 static const struct {
-    const char *label, *key;
+    const char *label, *mark, *key;
     bool last;
 } finish_parts[] = {
-    {"fly", "step.fly", false},
-    {"loop", "step.loop", true},
-    {"tie", "step.tie_make", false}, /* of a front that is tied, whose ends are told with its seams */
-    {"", "step.part", false},
+    {"fly", NULL, "step.fly", false},
+    {"loop", NULL, "step.loop", true},
+    {"tie", NULL, "step.tie_make", false}, /* of a front that is tied, whose ends are told with its seams */
+    {"placket", NULL, "step.sleeve_placket", false},
+    {"bag", "pocket opening", "step.front_pocket", false},
+    {"bag", "flap", "step.flap", false},
+    {"pocket part", "flap", "step.flap", false},
+    {"bag", "welt", "step.welt", false},
+    {"pocket part", "welt", "step.welt", false},
+    {"", NULL, "step.part", false},
 };
 
 
@@ -80,6 +88,11 @@ void mus__finish_find(mus__instructions *job)
         job->free[i] = panel != MUS_NONE && mus_pattern_edge_seam(pattern, i) == MUS_NONE &&
                        job->sewing.passes[i] < 2 && (finish_hem(pattern, i) || !mus__tell_double(pattern, panel));
     }
+    for (int32_t i = 0; i < job->sewing.n; i++) { /* the opening of a patch is hemmed before it is laid on */
+        const mus__sewn *seam = &job->sewing.sewn[i];
+        for (int32_t k = 0; k < mus_pattern_edge_count(pattern) && seam->kind == MUS__SEWING_PATCH; k++)
+            if (mus_pattern_edge_panel(pattern, k) == seam->panel[0]) job->free[k] = false;
+    }
     for (int32_t i = 0; i < mus_pattern_edge_count(extra); i++) {
         const int32_t panel = mus_pattern_edge_panel(extra, i);
         if (panel == MUS_NONE || strcmp(mus_pattern_panel_label(extra, panel), "facing") != 0) continue;
@@ -115,6 +128,8 @@ static int edge_compare(const void *a, const void *b)
     const finish_edge *s = a, *t = b;
     const int order = strcmp(s->words, t->words);
     if (order != 0) return order;
+    if (s->folded != t->folded) return s->folded ? 1 : -1;
+    if (s->allowance < t->allowance || s->allowance > t->allowance) return s->allowance < t->allowance ? -1 : 1;
     const int panels = strcmp(s->panel, t->panel);
     return panels != 0 ? panels : (s->length > t->length) - (s->length < t->length);
 }
@@ -135,14 +150,17 @@ static int32_t finish_edges(const mus__instructions *job, finish_edge *edges)
 {
     int32_t n = 0;
     for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
-        if (!job->free[i]) continue;
-        finish_edge *edge = &edges[n++];
         const int32_t panel = mus_pattern_edge_panel(job->pattern, i);
+        /* a rib is told with its seam, which both its edges are in */
+        const bool rib = job->free[i] && mus__tell_copies(job->pattern, panel, MUS_MATERIAL_RIB) > 0;
+        if (!job->free[i] || (rib && mus__tell_folded(job->pattern, i))) continue;
+        finish_edge *edge = &edges[n++];
         mus__plain_edge_words(job->pattern, i, edge->words);
         mus__plain_words(mus_pattern_panel_name(job->pattern, panel), true, edge->panel);
         edge->length = mus_pattern_edge_length(job->pattern, i);
         edge->allowance = mus_pattern_edge_allowance(job->pattern, i);
         edge->elastic = finish_elastic(job->pattern, i);
+        edge->folded = mus__tell_folded(job->pattern, i);
     }
     mus__sort(edges, (size_t)n, sizeof *edges, edge_compare);
     return n;
@@ -153,16 +171,44 @@ static int32_t finish_groups(const mus__instructions *job, const finish_edge *ed
 {
     int32_t count = 0;
     for (int32_t i = 0; i < n; i++) {
-        if (i == 0 || strcmp(edges[i].words, edges[i - 1].words) != 0)
-            groups[count++] = (finish_group){i, 0, false, 0.0, edges[i].words};
+        bool faced = false;
+        for (int32_t k = 0; k < mus_pattern_panel_count(job->extra) && !faced; k++)
+            faced = finish_with(job, k, edges[i].words);
+        const finish_edge *last = i > 0 ? &edges[i - 1] : NULL;
+        if (last == NULL || strcmp(edges[i].words, last->words) != 0 ||
+            (!faced && (edges[i].folded != last->folded || edges[i].allowance > last->allowance ||
+                        edges[i].allowance < last->allowance)))
+            groups[count++] = (finish_group){i, 0, faced, 0.0, edges[i].words};
         finish_group *group = &groups[count - 1];
         group->count++;
         group->length += edges[i].length;
-        for (int32_t k = 0; k < mus_pattern_panel_count(job->extra) && !group->faced; k++)
-            group->faced = finish_with(job, k, edges[i].words);
     }
     mus__sort(groups, (size_t)count, sizeof *groups, group_compare);
     return count;
+}
+
+
+/* the words of a group: those of its edges' label, or their own name where they are turned less than others of that
+ * label, as a slit above a hem */
+static void group_words(const mus__instructions *job, const finish_edge *edges, const finish_group *group, char *out)
+{
+    const finish_edge *first = &edges[group->first];
+    const bool bare = strcmp(first->words, first->panel) == 0;
+    bool named = false, less = false;
+    char name[MUS__PLAIN] = "", words[MUS__PLAIN];
+    for (int32_t i = 0; i < mus_pattern_edge_count(job->pattern); i++) {
+        if (!job->free[i]) continue;
+        mus__plain_edge_words(job->pattern, i, words);
+        if (strcmp(words, first->words) != 0) continue;
+        const double allowance = mus_pattern_edge_allowance(job->pattern, i);
+        less = less || allowance > first->allowance;
+        if (allowance < first->allowance || allowance > first->allowance) continue;
+        mus__plain_edge_name(job->pattern, i, words);
+        named = name[0] == '\0' || strcmp(name, words) == 0;
+        if (!named) break;
+        memcpy(name, words, sizeof name);
+    }
+    mus__tell_words(job, "edge", less && named && name[0] != '\0' ? name : bare ? "free edge" : first->words, out);
 }
 
 
@@ -175,10 +221,10 @@ static void tell_facings(mus__instructions *job, const char *words, mus__phrase 
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         if (!finish_with(job, i, words)) continue;
         mus__list_add(job, job->extra, i);
-        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_RIB) > 0) rib = fmax(rib, mus__tell_longest(job->extra, i));
+        if (mus__tell_copies(job->extra, i, MUS_MATERIAL_RIB) > 0) rib = fmax(rib, mus__tell_edge(job->extra, i, true));
     }
     const bool several = job->list.n > 1;
-    char *list = mus__list_take(job);
+    char *list = mus__list_take(job, "panel");
     if (list == NULL) return;
     mus__phrase_text(phrase, place, list);
     mus__phrase_text(phrase, place + 1, mus__tell_length(job, rib, length));
@@ -188,22 +234,14 @@ static void tell_facings(mus__instructions *job, const char *words, mus__phrase 
 }
 
 
-/* write how deep free edges are turned; "" where the sheet sets the depth of one, or where it is 0 */
-static void tell_depth(const mus__instructions *job, const finish_edge *edges, int32_t count, char *out)
+/* write how deep free edges are turned; "" where the sheet sets the depth, or where it is 0 */
+static void tell_depth(const mus__instructions *job, const finish_edge *edge, char *out)
 {
-    double least = HUGE_VAL, most = 0.0;
-    bool known = true;
-    for (int32_t i = 0; i < count; i++) {
-        known = known && !isnan(edges[i].allowance);
-        least = fmin(least, edges[i].allowance);
-        most = fmax(most, edges[i].allowance);
-    }
-    const long low = lround(1e3 * least), high = lround(1e3 * most);
     mus__phrase phrase = mus__phrase_in(job->language);
-    mus__phrase_number(&phrase, 0, low < high ? low : high);
-    mus__phrase_number(&phrase, 1, high);
     out[0] = '\0';
-    if (known && most > 0.0) mus__phrase_write(&phrase, low < high ? "depth.range" : "depth", out, 2 * MUS__LENGTH);
+    if (!(edge->allowance > 0.0)) return;
+    mus__phrase_number(&phrase, 0, lround(1e3 * edge->allowance));
+    mus__phrase_write(&phrase, "depth", out, MUS__LENGTH);
 }
 
 
@@ -211,8 +249,7 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
 {
     const finish_edge *first = &edges[group->first];
     const char *comma = mus_language_text(job->language, "list.comma");
-    const bool bare = strcmp(first->words, first->panel) == 0;
-    char told[MUS__PLAIN], words[MUS__PLAIN], depth[2 * MUS__LENGTH], length[MUS__LENGTH];
+    char told[MUS__PLAIN], words[MUS__PLAIN], depth[MUS__LENGTH], length[MUS__LENGTH];
     bool elastic = false;
     mus__sink panels;
     mus__sink_init(&panels, job->sink.context);
@@ -228,12 +265,15 @@ static void tell_group_step(mus__instructions *job, const finish_edge *edges, co
         return;
     }
     mus__phrase phrase = mus__phrase_in(job->language);
-    mus__phrase_text(&phrase, 0, mus__tell_words(job, "edge", bare ? "free edge" : first->words, words));
+    group_words(job, edges, group, words);
+    mus__phrase_text(&phrase, 0, words);
     mus__phrase_text(&phrase, 1, panels.bytes);
     mus__phrase_text(&phrase, 2, mus__tell_length(job, group->length, length));
-    tell_depth(job, first, group->count, depth);
-    mus__phrase_text(&phrase, 3, depth);
+    tell_depth(job, first, depth);
+    mus__phrase_text(&phrase, 3, first->folded ? mus_language_text(job->language, "mark.fold") : depth);
     if (group->faced) tell_facings(job, first->words, &phrase, "step.faced", 3);
+    else if (first->folded)
+        mus__tell_step(job, &phrase, elastic ? "step.fold_elastic" : "step.fold");
     else if (depth[0] != '\0') mus__tell_step(job, &phrase, elastic ? "step.hem_elastic" : "step.hem");
     else mus__tell_step(job, &phrase, elastic ? "step.turn_elastic" : "step.turn");
     mus__sink_free(&panels);
@@ -264,6 +304,18 @@ static bool part_tied(const mus__instructions *job)
 }
 
 
+/* is a label that of row k of finish_parts? */
+static bool part_is(const mus__instructions *job, int32_t k, const char *label)
+{
+    int32_t i = 0;
+    if (strcmp(finish_parts[k].label, label) != 0) return false;
+    if (strcmp(label, "tie") == 0) return part_tied(job);
+    if (finish_parts[k].mark == NULL) return true;
+    while (i < mus_pattern_panel_count(job->pattern) && !mus__tell_has_mark(job->pattern, i, finish_parts[k].mark)) i++;
+    return i < mus_pattern_panel_count(job->pattern);
+}
+
+
 /* place in finish_parts of a panel that no edge or mark asks for; MUS_NONE for all others */
 static int32_t part_of(const mus__instructions *job, int32_t panel)
 {
@@ -277,15 +329,18 @@ static int32_t part_of(const mus__instructions *job, int32_t panel)
     for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++)
         if (mus_pattern_mark(job->pattern, i, NULL, &name, NULL, NULL) == MUS_OK && strcmp(name, label) == 0)
             return MUS_NONE;
-    for (int32_t k = 0; k < parts - 1; k++)
-        if (strcmp(finish_parts[k].label, label) == 0 && (strcmp(label, "tie") != 0 || part_tied(job))) return k;
-    return parts - 1;
+    int32_t k = 0;
+    while (k < parts - 1 && !part_is(job, k, label)) k++;
+    for (int32_t first = 0; first < k; first++) /* parts of one step */
+        if (strcmp(finish_parts[first].key, finish_parts[k].key) == 0) return first;
+    return k;
 }
 
 
 void mus__tell_parts(mus__instructions *job, bool last)
 {
     mus__phrase phrase = mus__phrase_in(job->language);
+    mus__phrase_text(&phrase, 1, mus_language_text(job->language, "mark.pocket opening"));
     for (int32_t k = 0; k < (int32_t)(sizeof finish_parts / sizeof finish_parts[0]); k++) {
         if (finish_parts[k].last != last) continue;
         for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++)
@@ -328,16 +383,75 @@ static void tell_elastic(mus__instructions *job)
 }
 
 
-/* pieces of two layers: the second ones go on when the first ones are sewn */
-static void tell_layers(mus__instructions *job)
+/* the step that joins a panel to its mirror image, and is sewn in each layer; MUS_NONE without one */
+static int32_t layer_own(const mus__instructions *job, int32_t panel, bool *before)
 {
-    for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++)
-        if (mus__tell_double(job->pattern, i)) {
-            const int32_t layer = mus__tell_layer(job->pattern, i);
-            mus__list_add(job, layer != MUS_NONE ? job->extra : job->pattern, layer != MUS_NONE ? layer : i);
+    int32_t line = MUS_NONE, image = MUS_NONE, own = MUS_NONE, step = MUS_NONE;
+    *before = true;
+    mus_pattern_cut(job->pattern, panel, NULL, &image);
+    for (int32_t i = 0; i < job->sewing.n; i++) {
+        const mus__sewn *seam = job->sewing.by_words[i];
+        if (seam->kind != MUS__SEWING_SEAM || (seam->panel[0] != panel && seam->panel[1] != panel)) continue;
+        const int32_t other = seam->panel[seam->panel[0] == panel];
+        mus_pattern_cut(job->pattern, other, NULL, &own);
+        if (image == other || own == panel) {
+            step = seam->step > step ? seam->step : step;
+            continue;
         }
+        *before = *before && (line == MUS_NONE || line == seam->line);
+        line = seam->line;
+    }
+    return step;
+}
+
+
+/* how the second layer of a panel is sewn, NULL without one: before the seam where one line of stitching holds the
+ * panel, with or without its mirror image, as a collar; else after the seams, a lining to what is finished too */
+static const char *layer_step(const mus__instructions *job, int32_t panel)
+{
+    bool before;
+    if (!mus__tell_double(job->pattern, panel)) return NULL;
+    layer_own(job, panel, &before);
+    if (before) return "step.layers_first";
+    if (mus__tell_has_mark(job->pattern, panel, "stand end")) return "step.stand";
+    return mus__tell_copies(job->pattern, panel, MUS_MATERIAL_LINING) > 0 ? "step.linings" : "step.layers";
+}
+
+
+/* is the second layer of a panel sewn by the row of a key, and after a step? */
+static bool layer_is(const mus__instructions *job, int32_t panel, const char *key, int32_t step)
+{
+    bool before;
+    const char *own = panel != MUS_NONE ? layer_step(job, panel) : NULL;
+    return own != NULL && strcmp(own, key) == 0 && (layer_own(job, panel, &before) == step || !before);
+}
+
+
+void mus__tell_layers(mus__instructions *job, const char *key, int32_t step)
+{
     mus__phrase phrase = mus__phrase_in(job->language);
-    mus__list_step(job, &phrase, "step.layers");
+    const int32_t edges = mus_pattern_edge_count(job->pattern);
+    for (int32_t i = 0; i < edges; i++) {
+        const int32_t panel = mus_pattern_edge_panel(job->pattern, i), seam = mus_pattern_edge_seam(job->pattern, i);
+        mus_seam_def def;
+        mus_seam_def_init(&def, sizeof def);
+        if (!layer_is(job, panel, key, step)) continue;
+        const bool free = seam == MUS_NONE ||
+                          (mus_pattern_seam(job->pattern, seam, &def) == MUS_OK && def.closure == MUS_CLOSURE_BUTTONS);
+        if (free && !finish_hem(job->pattern, i)) mus__list_add_edge(job, i);
+    }
+    char *along = mus__list_take(job, "edge");
+    if (along == NULL) return;
+    for (int32_t i = 0; i < mus_pattern_panel_count(job->pattern); i++) {
+        const int32_t layer = mus__tell_layer(job->pattern, i);
+        if (!layer_is(job, i, key, step)) continue;
+        mus__list_add(job, job->pattern, i);
+        if (layer != MUS_NONE) mus__list_add(job, job->extra, layer);
+    }
+    mus__phrase_text(&phrase, 1, along);
+    mus__phrase_text(&phrase, 2, mus_language_text(job->language, "mark.stand end"));
+    mus__list_step(job, &phrase, key);
+    mus__print_free(job->sink.context, along);
 }
 
 
@@ -350,9 +464,11 @@ mus_status mus__tell_finish(mus__instructions *job)
     const mus_status status = edges != NULL && groups != NULL ? MUS_OK : mus__print_memory(context, "the instructions");
     if (status == MUS_OK) {
         const int32_t n = finish_groups(job, edges, finish_edges(job, edges), groups);
-        tell_layers(job);
         tell_over_seams(job);
+        mus__tell_layers(job, "step.stand", MUS_NONE);
+        mus__tell_layers(job, "step.layers", MUS_NONE);
         for (int32_t i = 0; i < n; i++) tell_group_step(job, edges, &groups[i]);
+        mus__tell_layers(job, "step.linings", MUS_NONE);
         tell_elastic(job);
         mus__tell_parts(job, true);
     }

@@ -58,7 +58,17 @@ static size_t list_stem(const char *words)
 }
 
 
-char *mus__list_take(mus__instructions *job)
+void mus__list_add_edge(mus__instructions *job, int32_t edge)
+{
+    char words[MUS__PLAIN];
+    mus__plain_edge_words(job->pattern, edge, words);
+    for (int32_t i = 0; i < job->list.n; i++)
+        if (strcmp(job->list.words[i], words) == 0) return;
+    memcpy(job->list.words[job->list.n++], words, sizeof words);
+}
+
+
+char *mus__list_take(mus__instructions *job, const char *kind)
 {
     char(*words)[MUS__PLAIN] = job->list.words, stem[MUS__PLAIN], told[MUS__PLAIN];
     const char *comma = mus_language_text(job->language, "list.comma");
@@ -69,7 +79,7 @@ char *mus__list_take(mus__instructions *job)
         const size_t size = list_stem(words[i]);
         if (i > 0 && size == list_stem(words[last]) && strncmp(words[i], words[last], size) == 0) continue;
         snprintf(stem, sizeof stem, "%.*s", (int)size, words[i]);
-        mus__sink_print(&text, "%s%s", i > 0 ? comma : "", mus__tell_words(job, "panel", stem, told));
+        mus__sink_print(&text, "%s%s", i > 0 ? comma : "", mus__tell_words(job, kind, stem, told));
         last = i;
     }
     job->list.n = 0;
@@ -84,7 +94,7 @@ char *mus__list_take(mus__instructions *job)
 void mus__list_step(mus__instructions *job, mus__phrase *phrase, const char *key)
 {
     if (job->list.n == 0) return;
-    char *list = mus__list_take(job);
+    char *list = mus__list_take(job, "panel");
     if (list == NULL) return;
     mus__phrase_text(phrase, 0, list);
     mus__tell_step(job, phrase, key);
@@ -140,12 +150,15 @@ bool mus__tell_double(const mus_pattern *pattern, int32_t panel)
 }
 
 
-double mus__tell_longest(const mus_pattern *pattern, int32_t panel)
+double mus__tell_edge(const mus_pattern *pattern, int32_t panel, bool longest)
 {
-    double longest = 0.0;
-    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++)
-        if (mus_pattern_edge_panel(pattern, i) == panel) longest = fmax(longest, mus_pattern_edge_length(pattern, i));
-    return longest;
+    double found = longest ? 0.0 : HUGE_VAL;
+    for (int32_t i = 0; i < mus_pattern_edge_count(pattern); i++) {
+        if (mus_pattern_edge_panel(pattern, i) != panel) continue;
+        const double length = mus_pattern_edge_length(pattern, i);
+        found = longest ? fmax(found, length) : fmin(found, length);
+    }
+    return found;
 }
 
 
@@ -157,5 +170,37 @@ bool mus__tell_has_mark(const mus_pattern *pattern, int32_t panel, const char *m
         if (mus_pattern_mark(pattern, i, &own, &name, NULL, NULL) == MUS_OK && own == panel && strcmp(name, mark) == 0)
             return true;
     }
+    return false;
+}
+
+
+/* is an edge of a strip turned by more than a hem as high as the strip could be? */
+static bool list_strip(const mus_pattern *pattern, int32_t edge)
+{
+    int32_t n = 0, side = MUS_NONE;
+    const int32_t *edges;
+    if (mus_pattern_outline(pattern, mus_pattern_edge_panel(pattern, edge), &n, &edges, NULL) != MUS_OK) return false;
+    for (int32_t i = 0; i < n; i++)
+        if (edges[i] == edge) side = edges[(i + 1) % n];
+    return side != MUS_NONE && mus_pattern_edge_allowance(pattern, edge) > mus_pattern_edge_length(pattern, side);
+}
+
+
+bool mus__tell_folded(const mus_pattern *pattern, int32_t edge)
+{
+    return mus__tell_has_mark(pattern, mus_pattern_edge_panel(pattern, edge), "fold") && list_strip(pattern, edge);
+}
+
+
+bool mus__tell_rib_folds(const mus__instructions *job, int32_t panel, int32_t other)
+{
+    int32_t n = 0;
+    const int32_t *edges;
+    if (mus__tell_copies(job->pattern, panel, MUS_MATERIAL_RIB) == 0 ||
+        mus__tell_copies(job->pattern, other, MUS_MATERIAL_RIB) > 0 ||
+        mus_pattern_outline(job->pattern, panel, &n, &edges, NULL) != MUS_OK)
+        return false;
+    for (int32_t i = 0; i < n; i++)
+        if (job->free[edges[i]] && mus__tell_folded(job->pattern, edges[i])) return true;
     return false;
 }

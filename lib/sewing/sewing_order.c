@@ -17,6 +17,11 @@
  *   4. Where four edges meet at a point and two opposite ones are sewn, a line that ends there is followed by the one
  *      opposite. A seam of a panel with itself closes a ring in any case: it is one line with those opposite its ends
  *      ("underarm and side in one go").
+ *   5. Where four edges meet at a point and one is sewn, its opposite comes before the two across: the sides of a band
+ *      and of its skirt before the band is sewn on, so that no seam runs into a ring that is closed. Where what is
+ *      opposite is done up, a seam comes before those across it: a zip whose ends the band holds, the sleeve's before
+ *      its cuff. Of two that are left, the longer comes first, and the other goes on from it (rule 4): the side of a
+ *      rib with that of its body.
  *
  * Cost: lines x seams, each with the logarithm of the points
  * Source: Hatcher, Algebraic Topology, 2002, section 2.2 (Euler characteristic)
@@ -49,6 +54,7 @@ typedef struct order_point {
     int32_t waits;      /* of seams that are not sewn, of kind MUS__SEWING_SEAM */
     int32_t step, sewn; /* last step that sewed here, and how many ends it sewed */
     int32_t seam, end;  /* that was sewn last */
+    int32_t meet[4];    /* the first four ends that meet here: 2 x seam + end */
 } order_point;
 
 typedef struct order_job {
@@ -124,6 +130,7 @@ static void order_count_ends(order_job *job)
     for (int32_t i = 0; i < 2 * job->sewing->n; i++) {
         const mus__sewn *seam = job->seams[i / 2];
         order_point *point = order_at(job, seam, i % 2);
+        if (point->ends < 4) point->meet[point->ends] = i;
         point->ends++;
         point->open++;
         point->waits += seam->kind == MUS__SEWING_SEAM;
@@ -402,6 +409,36 @@ static bool order_goes_on(const order_job *job, int32_t step, int32_t line)
 }
 
 
+/* is there a seam that comes first where a seam ends at a crossing (rule 5)? */
+static bool order_waits(const order_job *job, const mus__sewn *seam, int32_t end)
+{
+    const order_point *at = order_at(job, seam, end);
+    int32_t n = 0;
+    const mus__sewn *across[2], *opposite = NULL;
+    if (at->ends != 4) return false;
+    for (int32_t k = 0; k < 4; k++) {
+        const mus__sewn *other = job->seams[at->meet[k] / 2];
+        if (other == seam) continue;
+        if (order_opposite(job, seam, end, other, at->meet[k] % 2))
+            opposite = other;
+        else if (n < 2)
+            across[n++] = other;
+        else
+            return false;
+    }
+    if (n < 2) return false;
+    if (across[0]->step != MUS_NONE && across[1]->step != MUS_NONE)
+        return opposite != NULL && opposite->step == MUS_NONE && opposite->kind == MUS__SEWING_SEAM &&
+               opposite->line != seam->line && lround(1e3 * opposite->length[0]) > lround(1e3 * seam->length[0]);
+    for (int32_t k = 0; k < 2; k++) {
+        const mus__sewn *first = across[k], *then = across[1 - k];
+        if (first->step == MUS_NONE && first->kind == MUS__SEWING_SEAM && then->kind > MUS__SEWING_SEAM) return true;
+        if (first->step != MUS_NONE && then->step == MUS_NONE && then->kind == MUS__SEWING_SEAM) return true;
+    }
+    return false;
+}
+
+
 /* the best line to sew next, MUS_NONE for none; with `step` only one that goes on from it and closes no ring */
 static order_choice order_best(order_job *job, int32_t step)
 {
@@ -411,6 +448,10 @@ static order_choice order_best(order_job *job, int32_t step)
     for (int32_t p = 0; p < job->npass; p++) {
         const order_pass *pass = &job->passes[p];
         if (job->points[pass->point].waits > pass->own) job->tied[pass->line] = true;
+    }
+    for (int32_t i = 0; i < 2 * n; i++) {
+        const mus__sewn *seam = job->seams[i / 2];
+        if (seam->step == MUS_NONE && order_waits(job, seam, i % 2)) job->tied[seam->line] = true;
     }
     for (int32_t i = 0; i < n; i++) {
         if (job->seams[i]->step != MUS_NONE || job->seams[i]->line != i) continue;

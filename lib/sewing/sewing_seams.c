@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/sort.h"
-#include "print/phrase.h"
+#include "drawing/phrase.h"
 #include "sewing/sewing.h"
 
 

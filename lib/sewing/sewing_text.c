@@ -18,6 +18,11 @@
 #define KNIT_STRETCH 1.5
 
 
+/* longest edge that is eased in, over the other: a longer one is gathered. Chosen: sleeve caps have up to a tenth more
+ */
+#define GATHERED 1.15
+
+
 /* write a head, after an empty line */
 static void tell_head_of(mus__instructions *job, const char *key)
 {
@@ -80,7 +85,7 @@ static void tell_zip(mus__instructions *job, double length, const char *key, boo
 
 
 /* buttons that are marked on a panel without a closure, as on the stand of a collar: both ends of it have the mark */
-static int32_t loose_buttons(const mus__instructions *job)
+static int32_t loose_buttons(const mus__instructions *job, int32_t *of)
 {
     int32_t marks = 0;
     for (int32_t i = 0; i < mus_pattern_mark_count(job->pattern); i++) {
@@ -91,7 +96,7 @@ static int32_t loose_buttons(const mus__instructions *job)
         while (k < job->sewing.n && (job->sewing.sewn[k].kind != MUS__SEWING_BUTTONS ||
                                      (job->sewing.sewn[k].panel[0] != panel && job->sewing.sewn[k].panel[1] != panel)))
             k++;
-        marks += k == job->sewing.n;
+        if (k == job->sewing.n) *of = panel, marks++;
     }
     return marks / 2;
 }
@@ -131,7 +136,7 @@ static double zip_length(const mus__instructions *job, const mus__sewn *seam)
 static void tell_notions(mus__instructions *job)
 {
     bool any = false;
-    int32_t buttons = loose_buttons(job);
+    int32_t of = MUS_NONE, buttons = loose_buttons(job, &of);
     for (int32_t i = 0; i < job->sewing.n; i++) buttons += job->sewing.sewn[i].buttons;
     mus__phrase loose = mus__phrase_in(job->language);
     mus__phrase_number(&loose, 0, buttons);
@@ -142,11 +147,12 @@ static void tell_notions(mus__instructions *job)
     }
     for (int32_t i = 0; i < mus_pattern_panel_count(job->extra); i++) {
         const int32_t count = mus__tell_copies(job->extra, i, MUS_MATERIAL_ELASTIC);
-        char text[MUS__LENGTH];
+        char text[MUS__LENGTH], wide[MUS__LENGTH];
         if (count == 0 || !mus__tell_printed(job->extra, i)) continue;
         mus__phrase phrase = mus__phrase_in(job->language);
         mus__phrase_number(&phrase, 0, count);
-        mus__phrase_text(&phrase, 1, mus__tell_length(job, mus__tell_longest(job->extra, i), text));
+        mus__phrase_text(&phrase, 1, mus__tell_length(job, mus__tell_edge(job->extra, i, true), text));
+        mus__phrase_text(&phrase, 2, mus__tell_length(job, mus__tell_edge(job->extra, i, false), wide));
         tell_notion(job, &phrase, "notion.elastic", &any);
     }
 }
@@ -281,6 +287,7 @@ static void tell_preparation(mus__instructions *job)
     const int32_t panels = mus_pattern_panel_count(job->pattern), extras = mus_pattern_panel_count(job->extra);
     mus__phrase phrase = mus__phrase_in(job->language);
     tell_head_of(job, "head.sewing");
+    mus__sink_print(&job->sink, "%s\n", mus_language_text(job->language, "sewing.general"));
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_copies(job->pattern, i, MUS_MATERIAL_INTERFACING) > 0) mus__list_add(job, job->pattern, i);
     for (int32_t i = 0; i < extras; i++)
@@ -292,12 +299,10 @@ static void tell_preparation(mus__instructions *job)
     for (int32_t i = 0; i < panels; i++)
         if (mus__tell_has_mark(job->pattern, i, "pleat")) mus__list_add(job, job->pattern, i);
     mus__list_step(job, &phrase, "step.pleats");
-    for (int32_t i = 0; i < panels; i++)
-        if (mus__tell_has_mark(job->pattern, i, "slot")) mus__list_add(job, job->pattern, i);
-    mus__list_step(job, &phrase, "step.slot");
     tell_plackets(job);
     tell_patches(job);
     mus__tell_parts(job, false);
+    mus__tell_layers(job, "step.layers_first", MUS_NONE);
 }
 
 
@@ -395,7 +400,21 @@ static void tell_sewn_length(mus__instructions *job, const mus__sewn *seam, cons
     mus__phrase_text(&phrase, 1, mus__tell_length(job, group->length[moved], own));
     mus__phrase_text(&phrase, 2, length);
     mus__sink_print(&job->sink, "%s", mus_language_text(job->language, "list.semicolon"));
-    mus__phrase_add(&phrase, gives ? "ease.rib" : pleats ? "ease.pleats" : "ease.gather", &job->sink);
+    const bool gathers = group->length[longer] > GATHERED * group->length[shorter];
+    mus__phrase_add(&phrase,
+                    gives     ? "ease.rib"
+                    : pleats  ? "ease.pleats"
+                    : gathers ? "ease.gather"
+                              : "ease.ease",
+                    &job->sink);
+}
+
+
+/* go on with a note on a line */
+static void tell_note(mus__instructions *job, const char *key)
+{
+    mus__sink_print(&job->sink, "%s%s", mus_language_text(job->language, "list.semicolon"),
+                    mus_language_text(job->language, key));
 }
 
 
@@ -425,9 +444,15 @@ static void tell_line(mus__instructions *job, mus__sewn *const *seams, int32_t c
         mus__phrase_count(&phrase, "buttons", seam->buttons, text, sizeof text);
         mus__sink_print(&job->sink, "%s%s", comma, text);
     }
-    if (group.twins)
-        mus__sink_print(&job->sink, "%s%s", mus_language_text(job->language, "list.semicolon"),
-                        mus_language_text(job->language, "line.alike"));
+    if (group.twins) tell_note(job, "line.alike");
+    for (int32_t k = 0; k < 2 && seam->kind == MUS__SEWING_SEAM; k++) {
+        const char *label = mus_pattern_edge_label(job->pattern, seam->edge[k]);
+        if (strcmp(label, "side") == 0 && mus__tell_has_mark(job->pattern, seam->panel[k], "slot"))
+            tell_note(job, "line.slot");
+        if (strcmp(label, "cuff") == 0 && mus__tell_has_mark(job->pattern, seam->panel[k], "slit"))
+            tell_note(job, "line.slit");
+        if (mus__tell_rib_folds(job, seam->panel[k], seam->panel[1 - k])) tell_note(job, "line.folded");
+    }
     mus__sink_print(&job->sink, "\n");
 }
 
@@ -446,6 +471,21 @@ static void tell_head(mus__instructions *job, const mus__sewing_step *step, bool
 }
 
 
+/* write buttons that are marked on a panel without a closure */
+static void tell_loose(mus__instructions *job)
+{
+    char words[MUS__PLAIN], told[MUS__PLAIN], text[MUS__PHRASE];
+    int32_t panel = MUS_NONE;
+    const int32_t buttons = loose_buttons(job, &panel);
+    mus__phrase phrase = mus__phrase_in(job->language);
+    if (buttons == 0) return;
+    mus__plain_words(mus_pattern_panel_name(job->pattern, panel), true, words);
+    mus__phrase_count(&phrase, "buttons", buttons, text, sizeof text);
+    mus__sink_print(&job->sink, "   - %s%s%s\n", mus__tell_words(job, "panel", words, told),
+                    mus_language_text(job->language, "list.comma"), text);
+}
+
+
 /* write the steps of `seams`, sorted by step and phrase: those of what fastens, or all others */
 static void tell_steps(mus__instructions *job, mus__sewn *const *seams, bool fastens)
 {
@@ -454,12 +494,14 @@ static void tell_steps(mus__instructions *job, mus__sewn *const *seams, bool fas
         bool pleats = false;
         for (end = i; end < n && seams[end]->step == seams[i]->step; end++) pleats = pleats || seams[end]->laid;
         const mus__sewing_step *step = &job->sewing.steps[seams[i]->step];
-        if ((step->kind >= MUS__SEWING_BUTTONS) != fastens) continue;
+        if ((step->kind == MUS__SEWING_BUTTONS) != fastens) continue;
         tell_head(job, step, pleats, !group_same(seams[i], seams[end - 1]));
         for (int32_t k = i, next; k < end; k = next) {
             for (next = k + 1; next < end && group_same(seams[k], seams[next]);) next++;
             tell_line(job, seams + k, next - k);
         }
+        if (fastens && end == n) tell_loose(job);
+        if (!fastens) mus__tell_layers(job, "step.layers_first", seams[i]->step);
     }
 }
 
@@ -501,7 +543,7 @@ static mus_status instructions_write(const mus_pattern *pattern, const char *lan
     mus__sink_init(&job.sink, context);
     status = mus__sewing_make(context, pattern, &job.sewing);
     if (status == MUS_OK) status = mus__sewing_order(&job.sewing);
-    job.list.words = mus__print_new(context, most, sizeof *job.list.words);
+    job.list.words = mus__print_new(context, most + mus_pattern_edge_count(pattern), sizeof *job.list.words);
     job.finishes = mus__print_new(context, most, sizeof *job.finishes);
     job.free = mus__print_new(context, mus_pattern_edge_count(pattern), sizeof *job.free);
     if (status == MUS_OK && (job.list.words == NULL || job.finishes == NULL || job.free == NULL))

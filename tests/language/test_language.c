@@ -8,7 +8,7 @@
 #include "block/drafts.h"
 #include "language/language.h"
 #include "muslin/print.h"
-#include "print/phrase.h"
+#include "drawing/phrase.h"
 #include "sewing/sewing.h"
 
 static const char *const sizes[] = {"W40", "M50", "C116"};

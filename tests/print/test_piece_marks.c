@@ -144,6 +144,50 @@ START_TEST(a_notch_at_an_end_keeps_its_slits_apart)
 END_TEST
 
 
+/* arc length along edge 0 of the lower side of a house's plan, of 2 edges of 15 cm, of each slit of a triple notch at
+ * the end of edge 0 (k = 0) or the beginning of edge 1: past the end it goes on along edge 1 */
+static void ends(double drop, int32_t k, double *out)
+{
+    const double xy[] = {0, drop, 0.15, 0, 0.3, drop, 0.3, 0.2, 0, 0.2}, edge = hypot(0.15, drop);
+    double corner[2], first[2];
+    mus_pattern *house = sample_polygon(context, 5, xy);
+    ck_assert_int_eq(mus_pattern_add_notch(house, k, k == 0 ? edge : 0.0, MUS_NOTCH_TRIPLE, NULL), MUS_OK);
+    mus_sheet_destroy(sheet);
+    ck_assert_int_eq(mus_sheet_create(context, house, NULL, &sheet), MUS_OK);
+    mus__piece_point(&sheet->pieces[0], xy + 2, corner);
+    mus__piece_point(&sheet->pieces[0], xy, first);
+    for (int32_t i = 0; i < sheet->drawing.npath; i++) {
+        const mus__path *path = &sheet->drawing.paths[i];
+        if (path->layer != MUS__LAYER_NOTCHES) continue;
+        ck_assert_int_eq(path->nop, 6);
+        ck_assert_int_eq(path->edge, k);
+        /* the foot of each slit on the sew line: 1 cm further along its direction */
+        for (int32_t m = 0; m < 3; m++) {
+            const double *p = sheet->drawing.xy + path->at + 4 * m, d = hypot(p[2] - p[0], p[3] - p[1]);
+            const double x = p[0] + 0.01 * (p[2] - p[0]) / d - corner[0],
+                         y = p[1] + 0.01 * (p[3] - p[1]) / d - corner[1];
+            out[m] = (x * (first[0] - corner[0]) > 0.0 ? -1.0 : 1.0) * hypot(x, y);
+        }
+    }
+    mus_pattern_destroy(house);
+}
+
+
+/* a triple notch at the end of its edge has its middle slit there, where the outline turns by less than 15 degrees;
+ * at a sharper corner all three stand on its own edge */
+START_TEST(the_middle_slit_of_three_is_the_place)
+{
+    const double drops[] = {0.0, 0.0184, 0.0211, -0.0184};
+    for (int32_t i = 0; i < 8; i++) {
+        const double own = i % 4 != 2 ? 0.0 : i < 4 ? -0.004 : 0.004;
+        double slits[3] = {NAN, NAN, NAN};
+        ends(drops[i % 4], i / 4, slits);
+        for (int32_t m = 0; m < 3; m++) ck_assert_double_eq_tol(slits[m], own + 0.004 * (m - 1), 4e-4);
+    }
+}
+END_TEST
+
+
 START_TEST(the_grain_line_is_upright_inside_and_long)
 {
     for (int32_t i = 0; i < sheet->npiece; i++) {
@@ -277,6 +321,7 @@ Suite *mus_suite_piece_marks(void)
     tcase_add_test(test, slits_start_on_the_cut_line_and_stop_before_the_seam);
     tcase_add_test(test, a_notch_stands_at_its_arc_length);
     tcase_add_test(test, a_notch_at_an_end_keeps_its_slits_apart);
+    tcase_add_test(test, the_middle_slit_of_three_is_the_place);
     tcase_add_test(test, the_grain_line_is_upright_inside_and_long);
     tcase_add_test(test, labels_stand_inside_the_seam_line_clear_of_grain_and_marks);
     tcase_add_test(test, the_name_of_a_mark_keeps_clear_of_lines);

@@ -65,9 +65,96 @@ static int32_t check_habits(const mus_pattern *pattern, const mus__sewing *sewin
 }
 
 
+/* ---- crossings: four ends of seams at one point of the sewn garment ---- */
+
+typedef struct crossing {
+    int32_t n;
+    const mus__sewn *seam[4];
+    int32_t end[4];
+} crossing;
+
+
+static int32_t root_of(const int32_t *link, int32_t i)
+{
+    while (link[i] != i) i = link[i];
+    return i;
+}
+
+
+/* do two ends lie at no common corner of a panel? */
+static bool opposite(const crossing *at, int32_t i, int32_t k)
+{
+    const int32_t *a = at->seam[i]->point[at->end[i]], *b = at->seam[k]->point[at->end[k]];
+    return a[0] != b[0] && a[0] != b[1] && a[1] != b[0] && a[1] != b[1];
+}
+
+
+/* is a seam across a pair sewn between the two of the pair? */
+static bool between(const crossing *at, int32_t a, int32_t b, int32_t across)
+{
+    const int32_t first = at->seam[a]->step, last = at->seam[b]->step, step = at->seam[across]->step;
+    return (first < step && step < last) || (last < step && step < first);
+}
+
+
+/* where two lines of stitching cross, both parts of the one come before both of the other: the sides of a band and of a
+ * skirt before the band is sewn on, or the band to each panel before the sides. Returns how many cross */
+static int32_t check_crossings(const mus_pattern *pattern, const mus__sewing *sewing, const char *name)
+{
+    const int32_t n = mus_pattern_point_count(pattern);
+    int32_t crossed = 0, *link = malloc((size_t)n * sizeof *link);
+    crossing *at = calloc((size_t)n, sizeof *at);
+    for (int32_t i = 0; i < n; i++) link[i] = i;
+    for (int32_t i = 0; i < 2 * sewing->n; i++) {
+        const int32_t *pair = sewing->sewn[i / 2].point[i % 2];
+        link[root_of(link, pair[0])] = root_of(link, pair[1]);
+    }
+    for (int32_t i = 0; i < 2 * sewing->n; i++) {
+        const mus__sewn *seam = &sewing->sewn[i / 2];
+        crossing *own = &at[root_of(link, seam->point[i % 2][0])];
+        if (own->n < 4) own->seam[own->n] = seam, own->end[own->n] = i % 2;
+        own->n++;
+    }
+    for (int32_t i = 0; i < n; i++) {
+        bool seams = at[i].n == 4;
+        for (int32_t k = 0; k < 4 && seams; k++) seams = at[i].seam[k]->kind == MUS__SEWING_SEAM;
+        for (int32_t k = 1; k < 4 && seams; k++) {
+            const int32_t c = k == 1 ? 2 : 1, d = 6 - k - c;
+            if (!opposite(&at[i], 0, k) || !opposite(&at[i], c, d)) continue;
+            crossed++;
+            ck_assert_msg(!between(&at[i], 0, k, c) && !between(&at[i], 0, k, d) && !between(&at[i], c, d, 0) &&
+                              !between(&at[i], c, d, k),
+                          "%s: %s and %s are sewn apart", name, at[i].seam[0]->phrase, at[i].seam[k]->phrase);
+        }
+    }
+    free(at);
+    free(link);
+    return crossed;
+}
+
+
+/* both edges of a seam are cut with one allowance, so that raw edges meet; 10 mm where the sheet sets it */
+static void check_allowances(const mus_pattern *pattern, const char *name)
+{
+    for (int32_t i = 0; i < mus_pattern_seam_count(pattern); i++) {
+        mus_seam_def def;
+        mus_seam_def_init(&def, sizeof def);
+        ck_assert_int_eq(mus_pattern_seam(pattern, i, &def), MUS_OK);
+        if (def.laid || def.closure != MUS_CLOSURE_NONE) continue;
+        double width[2];
+        for (int32_t k = 0; k < 2; k++) {
+            const double own = mus_pattern_edge_allowance(pattern, k == 0 ? def.edge_a : def.edge_b);
+            width[k] = own >= 0.0 ? own : 0.01;
+        }
+        ck_assert_msg(width[0] == width[1], "%s: %s has %.1f mm and %.1f mm", name,
+                      mus_pattern_edge_name(pattern, def.edge_a), 1e3 * width[0], 1e3 * width[1]);
+    }
+}
+
+
 START_TEST(every_design_is_sewn_as_a_workshop_sews)
 {
-    int32_t sleeved = 0;
+    int32_t sleeved = 0, crossed = 0;
     const int32_t step = SUPPORT_SLOW ? 7 : 1;
     mus_context *context = support_context();
     for (int32_t d = 0; d < mus_design_count(); d += step) {
@@ -84,10 +171,13 @@ START_TEST(every_design_is_sewn_as_a_workshop_sews)
         ck_assert_int_eq(mus__sewing_order(&sewing), MUS_OK);
         check_surface(pattern, &sewing, mus_design_name(d));
         sleeved += check_habits(pattern, &sewing, mus_design_name(d));
+        check_allowances(pattern, mus_design_name(d));
+        crossed += check_crossings(pattern, &sewing, mus_design_name(d));
         mus__sewing_free(&sewing);
         mus_pattern_destroy(pattern);
     }
     ck_assert_int_ge(sleeved, 300 / step);
+    ck_assert_int_ge(crossed, 1000 / step);
     support_context_end(context);
 }
 END_TEST
@@ -165,20 +255,23 @@ static const char *const skirt_text =
     "- interfacing, 1.14 m wide: 0.10 m; 1.40 m wide: 0.10 m\n"
     "\n"
     "Notions\n"
-    "- a zip of 60.0 cm\n"
+    "- a zip for an opening of 60.0 cm\n"
     "\n"
     "Sewing, on the lines of short dashes, right sides together unless a step says otherwise\n"
+    "Neaten the raw edges and press each seam before another crosses it; sew a knit with a stretch or a zigzag stitch. "
+    "Turn the raw edge of a hem that frays under first.\n"
     "1. Fuse the interfacing to: band.\n"
-    "2. Sew:\n"
-    "   - skirt back to skirt front at the side, 60.0 cm, 1 notch\n"
+    "2. Sew the layers of band to each other, right sides together, along: side, waist. Turn and press; from here on "
+    "they are one, and what is seen in wear lies outside.\n"
     "3. Sew:\n"
-    "   - band (hem) to skirt front (waist), 50.0 cm; ease or gather the band from 100.0 cm\n"
-    "4. Close:\n"
+    "   - skirt back to skirt front at the side, 60.0 cm, 1 notch\n"
+    "4. Sew:\n"
+    "   - band (hem) to skirt front (waist), 50.0 cm; gather the band from 100.0 cm: two rows of long stitches "
+    "within the allowance, drawn up evenly\n"
+    "5. Close:\n"
     "   - set in the zip: skirt back to skirt front at the side, 60.0 cm\n"
-    "5. Second layers, or linings: band. Sew them to each other as the first ones, then to the first ones along the "
-    "edges that no step names; turn them inside and close the last edge by hand.\n"
     "6. Finish the waist of skirt back, 70.0 cm in all: turn 25 mm to the wrong side and stitch, with a gap; draw the "
-    "elastic in and close it.\n"
+    "elastic in, sew its ends together edge to edge and close the gap.\n"
     "7. Finish the hem of skirt back, skirt front, 120.0 cm in all: turn 30 mm to the wrong side and stitch.\n";
 
 

@@ -1,8 +1,8 @@
 /*
  * plain_words.h: names of panels and edges as the words that a sewer reads, on paper and in the instructions.
  */
-#ifndef MUS_PRINT_PLAIN_WORDS_H
-#define MUS_PRINT_PLAIN_WORDS_H
+#ifndef MUS_DRAWING_PLAIN_WORDS_H
+#define MUS_DRAWING_PLAIN_WORDS_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /*
  * phrase.h: rows of the table of words with their places filled.
  */
-#ifndef MUS_PRINT_PHRASE_H
-#define MUS_PRINT_PHRASE_H
+#ifndef MUS_DRAWING_PHRASE_H
+#define MUS_DRAWING_PHRASE_H
 
 #include "file/sink.h"
 #include "muslin/language.h"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "print/phrase.h"
+#include "drawing/phrase.h"
 
 
 mus_status mus__language_read(mus_context *context, const char *tag, const char *what, int32_t *out)

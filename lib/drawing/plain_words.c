@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "muslin/language.h"
-#include "print/plain_words.h"
+#include "drawing/plain_words.h"
 
 
 static bool words_small(char c)
@@ -85,7 +85,14 @@ static void words_bare(const char *name, char *out)
 void mus__plain_edge_words(const mus_pattern *pattern, int32_t edge, char *out)
 {
     const char *label = mus_pattern_edge_label(pattern, edge);
-    words_bare(label[0] != '\0' ? label : mus_pattern_edge_name(pattern, edge), out);
+    const char *part = mus_pattern_panel_label(pattern, mus_pattern_edge_panel(pattern, edge));
+    /* the label of a free edge of a collar or hood says what it opens; a sewer looks for "end" or "face" */
+    const bool named = strcmp(part, "collar") == 0 || strcmp(part, "hood") == 0 || strcmp(part, "layer") == 0 ||
+                       label[0] == '\0';
+    /* a sleeve that no cuff is sewn to has a hem there */
+    const bool hem = strcmp(label, "cuff") == 0 && strcmp(mus_pattern_edge_name(pattern, edge), "hem") == 0 &&
+                     mus_pattern_edge_seam(pattern, edge) == MUS_NONE;
+    words_bare(named ? mus_pattern_edge_name(pattern, edge) : hem ? "hem" : label, out);
 }
 
 
